@@ -1,0 +1,109 @@
+# One entry per thing one does with this repository. `make help` lists them.
+
+SHELL := /bin/bash
+.SHELLFLAGS := -eu -o pipefail -c
+.DEFAULT_GOAL := help
+.DELETE_ON_ERROR:
+.NOTPARALLEL:
+MAKEFLAGS += --no-print-directory
+
+JOBS := $(shell nproc 2>/dev/null || echo 2)
+SECONDS ?= 300
+SAY := @echo "==>"
+CPP_FOLDERS := $(wildcard include src apps tests benchmarks fuzz)
+
+# In automation: no colours, no questions.
+ifeq ($(CI),true)
+export DEBIAN_FRONTEND := noninteractive
+export GTEST_COLOR := no
+export CLICOLOR := 0
+endif
+
+.PHONY: help demo test asan tsan format format-check tidy bench fuzz clean
+.PHONY: deps-build deps-fuzz deps-lint
+
+help:
+	@echo "make demo               build the command line tool, simulate the duct line, draw its Gantt chart"
+	@echo "make test               build everything, run all tests, fuzz for 20 seconds"
+	@echo "make asan               run the tests under AddressSanitizer and UndefinedBehaviorSanitizer"
+	@echo "make tsan               run the tests under ThreadSanitizer"
+	@echo "make fuzz SECONDS=300   fuzz everything that parses"
+	@echo "make bench              run the benchmarks"
+	@echo "make format             lay out all C++ files with clang-format (format-check: only look)"
+	@echo "make tidy               check all C++ files with clang-tidy"
+	@echo "make clean              delete build/ and out/"
+
+deps-build:
+	@tools/install_dependencies.sh build
+deps-fuzz:
+	@tools/install_dependencies.sh build fuzz
+deps-lint:
+	@tools/install_dependencies.sh lint
+
+# Ninja configures again by itself when a CMake file or the set of sources changes.
+build/%/build.ninja: CMakePresets.json | deps-build
+	$(SAY) "Configuring the build in build/$*"
+	@cmake --preset $* --log-level=WARNING >/dev/null
+	@touch $@
+
+demo: build/release/build.ninja
+	$(SAY) "Building the command line tool"
+	@cmake --build --preset release --parallel $(JOBS) --target linewright
+	$(SAY) "Simulating the duct line: 2 humans, 2 robots, an order of 5 ducts"
+	@mkdir -p out
+	@build/release/linewright simulate scenarios/duct_line.yaml --humans 2 --robots 2 --order 5 \
+	  --log out/duct_line.jsonl --gantt out/duct_line.html
+	$(SAY) "Done: open out/duct_line.html in a browser; out/duct_line.jsonl holds the event log"
+
+test: deps-fuzz build/release/build.ninja
+	$(SAY) "Building everything"
+	@cmake --build --preset release --parallel $(JOBS)
+	$(SAY) "Running all tests"
+	@ctest --preset release --parallel $(JOBS) 2>&1 | tee build/release/ctest.log
+	$(SAY) "Fuzzing for 20 seconds"
+	@tools/fuzz.sh 20
+	$(SAY) "Summary: $$(grep -E 'tests passed' build/release/ctest.log); fuzzing found nothing"
+
+# $(call run_tests_of,preset)
+define run_tests_of
+	$(SAY) "Building the tests in build/$(1)"
+	@cmake --build --preset $(1) --parallel $(JOBS)
+	$(SAY) "Running all tests of build/$(1)"
+	@ctest --preset $(1) --parallel $(JOBS)
+endef
+
+asan: build/asan-ubsan/build.ninja
+	$(call run_tests_of,asan-ubsan)
+
+tsan: build/tsan/build.ninja
+	$(call run_tests_of,tsan)
+
+fuzz: deps-fuzz
+	$(SAY) "Fuzzing for $(SECONDS) seconds"
+	@tools/fuzz.sh $(SECONDS)
+
+bench: build/release/build.ninja
+	$(SAY) "Building the benchmarks"
+	@cmake --build --preset release --parallel $(JOBS)
+	$(SAY) "Running the benchmarks"
+	@shopt -s nullglob; programs=(build/release/benchmarks/*); \
+	  if [[ $${#programs[@]} -eq 0 ]]; then echo "There are no benchmarks yet"; fi; \
+	  for program in "$${programs[@]}"; do echo "$$program"; "$$program"; done
+
+format: deps-lint
+	$(SAY) "Laying out all C++ files"
+	@find $(CPP_FOLDERS) -name '*.[ch]pp' -print0 | xargs -0 -r clang-format -i
+
+format-check: deps-lint
+	$(SAY) "Checking the layout of all C++ files"
+	@find $(CPP_FOLDERS) -name '*.[ch]pp' -print0 | xargs -0 -r clang-format --dry-run --Werror
+
+tidy: deps-lint build/dev/build.ninja
+	$(SAY) "Checking all C++ files with clang-tidy"
+	@find $(wildcard src apps tests) -name '*.cpp' -print0 | \
+	  xargs -0 -r -n 1 -P $(JOBS) clang-tidy -p build/dev --quiet \
+	    --warnings-as-errors='*' --extra-arg=-Wno-unknown-warning-option
+
+clean:
+	$(SAY) "Deleting build/ and out/"
+	@rm -rf build out

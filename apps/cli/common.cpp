@@ -1,0 +1,203 @@
+#include "common.hpp"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <cctype>
+#include <charconv>
+#include <chrono>
+#include <cstdio>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "linewright/allocation/allocator.hpp"
+#include "linewright/base/diagnostic.hpp"
+#include "linewright/planning/planner.hpp"
+
+namespace linewright::cli {
+namespace {
+
+std::int64_t now_ms() {
+  using std::chrono::steady_clock;
+  return std::chrono::duration_cast<std::chrono::milliseconds>(steady_clock::now().time_since_epoch())
+      .count();
+}
+
+std::int32_t parse_count(const std::string& option, std::string_view text) {
+  std::int32_t value = 0;
+  const auto parsed = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (parsed.ec != std::errc() || parsed.ptr != text.data() + text.size() || value < 0 || value > 64) {
+    throw ScenarioError({}, fmt::format("{}: '{}' is no count", option, text),
+                        "write a number, a range like 1..3 or a list like 1,3");
+  }
+  return value;
+}
+
+std::vector<std::int32_t> parse_counts(const std::string& option, std::string_view text) {
+  std::vector<std::int32_t> counts;
+  do {
+    const std::size_t comma = std::min(text.find(','), text.size());
+    const std::string_view part = text.substr(0, comma);
+    const std::size_t dots = part.find("..");
+    const std::int32_t low = parse_count(option, part.substr(0, std::min(dots, part.size())));
+    const std::int32_t high =
+        dots == std::string_view::npos ? low : parse_count(option, part.substr(dots + 2));
+    if (high < low) {
+      throw ScenarioError({}, fmt::format("{}: the range '{}' is empty", option, part),
+                          fmt::format("write {}..{}", high, low));
+    }
+    for (std::int32_t n = low; n <= high; ++n) counts.push_back(n);
+    text.remove_prefix(std::min(comma + 1, text.size()));
+  } while (!text.empty());
+  return counts;
+}
+
+std::size_t kind_named(const LineModel& line, const std::string& option, const std::string& name) {
+  std::vector<std::string> names;
+  for (std::size_t k = 0; k < line.worker_kinds.size(); ++k) {
+    if (line.worker_kinds[k].name == name) return k;
+    names.push_back(line.worker_kinds[k].name);
+  }
+  throw ScenarioError({}, fmt::format("{}: line '{}' has no workers called '{}'", option, line.name, name),
+                      name_hint(name, names) + "; use --crew KIND=N");
+}
+
+}  // namespace
+
+CancelToken& interrupted() {
+  static CancelToken token;
+  return token;
+}
+
+void add_scenario_option(CLI::App& app, RunArguments& arguments) {
+  app.add_option("scenario", arguments.scenario, "Scenario file (docs/formats/scenario.md)")
+      ->required()
+      ->type_name("SCENARIO");
+}
+
+void add_run_options(CLI::App& app, RunArguments& arguments) {
+  app.add_option("--humans", arguments.humans, "Number of workers of kind 'human'")->type_name("N");
+  app.add_option("--robots", arguments.robots, "Number of workers of kind 'robot'")->type_name("N");
+  app.add_option("--crew", arguments.crew, "Number of workers of any kind")
+      ->type_name("KIND=N")
+      ->delimiter(';');
+  app.add_option("--order", arguments.order, "Quantity to produce (default: the scenario's)")
+      ->type_name("N");
+  app.add_option("--horizon", arguments.horizon, "Ticks after which a run fails (default: the scenario's)")
+      ->type_name("TICKS");
+  app.add_option("--seed", arguments.seed, "Seed of start positions and of random choices")
+      ->capture_default_str()
+      ->type_name("N");
+  app.add_flag("--json", arguments.json, "Print one JSON object (docs/cli.md) instead of text");
+}
+
+void add_configuration_options(CLI::App& app, RunArguments& arguments) {
+  std::string planners;
+  for (const auto& entry : PlannerRegistry::entries()) {
+    planners += (planners.empty() ? "" : ", ") + entry.name;
+    if (!entry.takes.empty()) planners += ":" + entry.takes;
+  }
+  app.add_option("--planner", arguments.configuration.planner,
+                 "Who chooses the task: " + planners)
+      ->capture_default_str()
+      ->type_name("NAME");
+  app.add_option("--allocator", arguments.configuration.allocator,
+                 fmt::format("Who chooses the people and robots: {}", fmt::join(allocator_names(), ", ")))
+      ->capture_default_str()
+      ->type_name("NAME");
+}
+
+std::vector<RunOptions> crews_of(const RunArguments& arguments, const LineModel& line, bool fill) {
+  std::vector<std::vector<std::int32_t>> counts(line.worker_kinds.size());
+  const auto set = [&](const std::string& option, const std::string& kind, const std::string& text) {
+    if (!text.empty()) counts[kind_named(line, option, kind)] = parse_counts(option, text);
+  };
+  set("--humans", "human", arguments.humans);
+  set("--robots", "robot", arguments.robots);
+  for (const std::string& entry : arguments.crew) {
+    const std::size_t equals = entry.find('=');
+    if (equals == std::string::npos) {
+      throw ScenarioError({}, fmt::format("--crew: '{}' is no KIND=N", entry), "write --crew robot=2");
+    }
+    set("--crew", entry.substr(0, equals), entry.substr(equals + 1));
+  }
+  std::vector<RunOptions> crews{RunOptions{.workers = {}, .order = arguments.order, .horizon = arguments.horizon}};
+  for (std::size_t k = 0; k < counts.size(); ++k) {
+    if (counts[k].empty() && fill) {
+      for (std::int32_t n = line.worker_kinds[k].count.min; n <= line.worker_kinds[k].count.max; ++n) {
+        counts[k].push_back(n);
+      }
+    }
+    std::vector<RunOptions> extended;
+    for (const RunOptions& crew : crews) {
+      if (counts[k].empty()) extended.push_back(crew);
+      if (counts[k].empty()) extended.back().workers.emplace_back(std::nullopt);
+      for (const std::int32_t n : counts[k]) {
+        extended.push_back(crew);
+        extended.back().workers.emplace_back(n);
+      }
+    }
+    crews = std::move(extended);
+  }
+  return crews;
+}
+
+std::string crew_name(const LineModel& line, const std::vector<std::int32_t>& counts) {
+  std::string name;
+  for (std::size_t k = 0; k < counts.size(); ++k) {
+    const std::string& kind = line.worker_kinds[k].name;
+    name += fmt::format("{}{}", static_cast<char>(std::toupper(static_cast<unsigned char>(kind[0]))),
+                        counts[k]);
+  }
+  return name;
+}
+
+void print(const std::string& text) {
+  std::fwrite(text.data(), 1, text.size(), stdout);
+  std::fflush(stdout);
+}
+
+void report(const std::string& text) {
+  std::fwrite(text.data(), 1, text.size(), stderr);
+  std::fputc('\n', stderr);
+}
+
+ProgressBar::ProgressBar(std::string what)
+    : what_(std::move(what)), shown_(isatty(STDERR_FILENO) == 1), started_ms_(now_ms()) {}
+
+ProgressBar::~ProgressBar() {
+  if (shown_ && drawn_ms_ > 0) std::fputs("\r\033[K", stderr);
+}
+
+void ProgressBar::update(std::size_t done, std::size_t total) {
+  const std::int64_t now = now_ms();
+  if (!shown_ || total == 0 || now - started_ms_ < 300 || now - drawn_ms_ < 100) return;
+  drawn_ms_ = now;
+  const double share = static_cast<double>(done) / static_cast<double>(total);
+  const double left = share > 0.0 ? static_cast<double>(now - started_ms_) / 1000.0 * (1.0 - share) / share : 0.0;
+  const auto filled = static_cast<std::size_t>(share * 30.0);
+  std::fputs(fmt::format("\r{} [{:<30}] {:3.0f} %  {}/{}  {:.0f} s left\033[K", what_,
+                         std::string(filled, '#'), share * 100.0, done, total, left)
+                 .c_str(),
+             stderr);
+}
+
+std::string text_table(const std::vector<std::vector<std::string>>& rows) {
+  std::vector<std::size_t> widths;
+  for (const auto& row : rows) {
+    widths.resize(std::max(widths.size(), row.size()));
+    for (std::size_t c = 0; c < row.size(); ++c) widths[c] = std::max(widths[c], row[c].size());
+  }
+  std::string text;
+  for (const auto& row : rows) {
+    std::string line;
+    for (std::size_t c = 0; c < row.size(); ++c) {
+      line += c == 0 ? fmt::format("{:<{}}", row[c], widths[c]) : fmt::format("  {:>{}}", row[c], widths[c]);
+    }
+    text += line.substr(0, line.find_last_not_of(' ') + 1) + "\n";
+  }
+  return text;
+}
+
+}  // namespace linewright::cli

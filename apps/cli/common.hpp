@@ -1,0 +1,92 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+
+#include "linewright/base/cancel.hpp"
+#include "linewright/evaluation/trials.hpp"
+#include "linewright/scenario/scenario.hpp"
+#include "linewright/simulation/run_setup.hpp"
+
+namespace linewright::cli {
+
+/// What the process returns; documented in docs/cli.md.
+enum ExitCode : int {
+  kOk = 0,
+  kFound = 1,          ///< `check --strict` found something
+  kBadInput = 2,       ///< a file, an option or a value is wrong; nothing was written
+  kInternalError = 3,  ///< a defect of linewright
+  kInterrupted = 130,  ///< Ctrl-C; what was complete has been printed
+};
+
+/// Set by Ctrl-C (SIGINT) and SIGTERM.
+CancelToken& interrupted();
+
+/// A subcommand's work, to be run after all options have been parsed.
+using Command = std::function<int()>;
+
+/// The options that say which line is run with whom.
+struct RunArguments {
+  std::string scenario;
+  std::string humans;   ///< "2", "1..3", "1,3"; empty: the scenario's
+  std::string robots;
+  std::vector<std::string> crew;  ///< "KIND=2", for any kind of worker
+  std::optional<std::int32_t> order;
+  std::optional<Tick> horizon;
+  std::uint64_t seed = 1;
+  Configuration configuration;
+  bool json = false;
+};
+
+void add_scenario_option(CLI::App& app, RunArguments& arguments);
+void add_run_options(CLI::App& app, RunArguments& arguments);
+void add_configuration_options(CLI::App& app, RunArguments& arguments);
+
+/// The crews that the options name: every combination of the counts, in order; the first kind varies
+/// slowest. Kinds that are not named keep the scenario's count (none in the RunOptions) unless `fill` is
+/// set: then their whole range is run through. Throws ScenarioError for unknown kinds and bad counts.
+[[nodiscard]] std::vector<RunOptions> crews_of(const RunArguments& arguments, const LineModel& line,
+                                               bool fill);
+
+/// "H2R2"-like name of a crew: initials and counts.
+[[nodiscard]] std::string crew_name(const LineModel& line, const std::vector<std::int32_t>& counts);
+
+/// Prints results to standard output; a closed pipe is not an error.
+void print(const std::string& text);
+
+/// Prints everything else to standard error.
+void report(const std::string& text);
+
+/// A progress bar on standard error, only when a person watches it.
+class ProgressBar {
+ public:
+  explicit ProgressBar(std::string what);
+  ~ProgressBar();
+  ProgressBar(const ProgressBar&) = delete;
+  ProgressBar& operator=(const ProgressBar&) = delete;
+
+  void update(std::size_t done, std::size_t total);
+
+ private:
+  std::string what_;
+  bool shown_;
+  std::int64_t started_ms_;
+  std::int64_t drawn_ms_ = 0;
+};
+
+/// A plain-text table: the first column left, the others right aligned.
+[[nodiscard]] std::string text_table(const std::vector<std::vector<std::string>>& rows);
+
+Command add_check(CLI::App& app);
+Command add_simulate(CLI::App& app);
+Command add_evaluate(CLI::App& app);
+Command add_gantt(CLI::App& app);
+Command add_bench(CLI::App& app);
+Command add_schema(CLI::App& app);
+
+}  // namespace linewright::cli

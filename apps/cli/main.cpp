@@ -1,0 +1,85 @@
+#include <algorithm>
+#include <csignal>
+#include <exception>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include "common.hpp"
+#include "linewright/base/diagnostic.hpp"
+
+namespace {
+
+void on_signal(int signal) {
+  // A second Ctrl-C ends the program at once.
+  std::signal(signal, SIG_DFL);
+  linewright::cli::interrupted().request();
+}
+
+int run(const std::vector<std::pair<CLI::App*, linewright::cli::Command>>& commands) {
+  for (const auto& [app, command] : commands) {
+    if (app->parsed()) return command();
+  }
+  return linewright::cli::kOk;
+}
+
+/// CLI11 would only say that a subcommand is missing.
+void refuse_unknown(int argc, char** argv,
+                    const std::vector<std::pair<CLI::App*, linewright::cli::Command>>& commands) {
+  if (argc < 2 || argv[1][0] == '-') return;
+  std::vector<std::string> names;
+  for (const auto& command : commands) names.push_back(command.first->get_name());
+  if (std::find(names.begin(), names.end(), argv[1]) != names.end()) return;
+  throw linewright::ScenarioError({}, fmt::format("there is no command '{}'", argv[1]),
+                                  linewright::name_hint(argv[1], names) + "; linewright --help shows them");
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  using namespace linewright;
+  std::signal(SIGINT, on_signal);
+  std::signal(SIGTERM, on_signal);
+  std::signal(SIGPIPE, SIG_IGN);
+
+  CLI::App app("Plans, allocates and simulates production lines of people, robots and machines.\n"
+               "Start with: linewright simulate scenarios/duct_line.yaml --humans 2 --robots 2");
+  app.name("linewright");
+  app.set_version_flag("--version", std::string("linewright ") + LINEWRIGHT_VERSION);
+  app.require_subcommand(1);
+  app.footer("Exit codes: 0 done, 1 check --strict found something, 2 bad input, 3 internal error, "
+             "130 interrupted.\nStandard output carries results, standard error everything else.");
+  const std::vector<std::pair<const char*, const char*>> subcommands{
+      {"simulate", "Run one production order: summary, event log, Gantt chart"},
+      {"evaluate", "Many runs over crews and start positions: makespan, success, distance"},
+      {"check", "Everything that is wrong with a scenario, and dead states of the line"},
+      {"gantt", "Draw the Gantt chart of an event log"},
+      {"bench", "Measure the simulator's speed and fingerprint its behaviour"},
+      {"schema", "Print the JSON Schema of scenario files"}};
+  linewright::cli::Command (*const add[])(CLI::App&) = {cli::add_simulate, cli::add_evaluate,
+                                                        cli::add_check,    cli::add_gantt,
+                                                        cli::add_bench,    cli::add_schema};
+  std::vector<std::pair<CLI::App*, cli::Command>> commands;
+  for (std::size_t i = 0; i < subcommands.size(); ++i) {
+    CLI::App* sub = app.add_subcommand(subcommands[i].first, subcommands[i].second);
+    commands.emplace_back(sub, add[i](*sub));
+  }
+  try {
+    refuse_unknown(argc, argv, commands);
+    app.parse(argc, argv);
+    return run(commands);
+  } catch (const CLI::ParseError& error) {
+    const int code = app.exit(error);
+    return code == 0 ? cli::kOk : cli::kBadInput;
+  } catch (const ScenarioError& error) {
+    cli::report(error.what());
+    return cli::kBadInput;
+  } catch (const std::exception& error) {
+    cli::report(fmt::format("internal error: {}\nThis is a defect of linewright; please report it.",
+                            error.what()));
+    return cli::kInternalError;
+  }
+}

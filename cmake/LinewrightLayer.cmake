@@ -1,0 +1,60 @@
+# linewright_layer(NAME <layer> [DEPENDS <lower layer>...] [LIBRARIES <external target>...])
+#
+# Makes the library `linewright_<layer>` from src/<layer>/*.cpp (header-only if there are none) and
+# the test program `<layer>_test` from src/<layer>/*_test.cpp. A layer without any file is skipped.
+# The names of all layers made so far are in the global property LINEWRIGHT_LAYERS.
+
+include(GoogleTest)
+
+function(linewright_layer)
+  cmake_parse_arguments(PARSE_ARGV 0 layer "" "NAME" "DEPENDS;LIBRARIES")
+  if(layer_UNPARSED_ARGUMENTS OR NOT layer_NAME)
+    message(FATAL_ERROR "linewright_layer: bad arguments: ${layer_UNPARSED_ARGUMENTS}")
+  endif()
+
+  file(GLOB headers CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/include/linewright/${layer_NAME}/*.hpp")
+  file(GLOB sources CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/src/${layer_NAME}/*.cpp")
+  set(tests ${sources})
+  list(FILTER tests INCLUDE REGEX "_test\\.cpp$")
+  list(FILTER sources EXCLUDE REGEX "_test\\.cpp$")
+  if(NOT headers AND NOT sources)
+    message(STATUS "Layer ${layer_NAME}: no files yet, skipped")
+    return()
+  endif()
+
+  set(target linewright_${layer_NAME})
+  if(sources)
+    add_library(${target} STATIC ${sources} ${headers})
+    set(scope PUBLIC)
+    target_link_libraries(${target} PRIVATE linewright_options)
+  else()
+    add_library(${target} INTERFACE)
+    set(scope INTERFACE)
+  endif()
+  target_include_directories(${target} ${scope} "${PROJECT_SOURCE_DIR}/include")
+  target_link_libraries(${target} ${scope} ${layer_LIBRARIES})
+  foreach(lower IN LISTS layer_DEPENDS)
+    if(TARGET linewright_${lower})
+      target_link_libraries(${target} ${scope} linewright_${lower})
+    endif()
+  endforeach()
+  set_property(GLOBAL APPEND PROPERTY LINEWRIGHT_LAYERS ${target})
+
+  if(LINEWRIGHT_BUILD_TESTS AND tests)
+    linewright_add_test(${layer_NAME}_test ${tests})
+    target_link_libraries(${layer_NAME}_test PRIVATE ${target})
+  endif()
+endfunction()
+
+# linewright_add_test(<program> <source>...): a GoogleTest program whose tests run in the repository
+# root; LINEWRIGHT_SOURCE_DIR is that root as a string literal.
+function(linewright_add_test name)
+  add_executable(${name} ${ARGN})
+  target_link_libraries(${name} PRIVATE linewright_options GTest::gtest_main)
+  target_compile_definitions(${name} PRIVATE LINEWRIGHT_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
+  gtest_discover_tests(${name}
+    TEST_PREFIX "${name}."
+    WORKING_DIRECTORY "${PROJECT_SOURCE_DIR}"
+    DISCOVERY_MODE PRE_TEST
+    DISCOVERY_TIMEOUT 120)
+endfunction()

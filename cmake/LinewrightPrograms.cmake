@@ -1,0 +1,67 @@
+# The programs above the layers. Each links all layers and is skipped while it has no sources.
+
+# apps/cli/*.cpp -> the command line tool `linewright` at the top of the build folder.
+function(linewright_add_cli)
+  file(GLOB sources CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/apps/cli/*.cpp")
+  list(FILTER sources EXCLUDE REGEX "_test\\.cpp$")
+  if(LINEWRIGHT_BUILD_FUZZERS OR NOT sources)
+    return()
+  endif()
+  get_property(layers GLOBAL PROPERTY LINEWRIGHT_LAYERS)
+  add_executable(linewright ${sources})
+  target_link_libraries(linewright PRIVATE linewright_options ${layers} CLI11::CLI11)
+  target_compile_definitions(linewright PRIVATE LINEWRIGHT_VERSION="${PROJECT_VERSION}")
+  set_target_properties(linewright PROPERTIES RUNTIME_OUTPUT_DIRECTORY "${PROJECT_BINARY_DIR}")
+endfunction()
+
+# tests/**/*.cpp -> `repository_test`; LINEWRIGHT_CLI is the path of the command line tool.
+function(linewright_add_repository_test)
+  file(GLOB_RECURSE sources CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/tests/*.cpp")
+  list(FILTER sources EXCLUDE REGEX "/tests/data/")
+  if(NOT LINEWRIGHT_BUILD_TESTS OR NOT sources)
+    return()
+  endif()
+  get_property(layers GLOBAL PROPERTY LINEWRIGHT_LAYERS)
+  linewright_add_test(repository_test ${sources})
+  target_include_directories(repository_test PRIVATE "${PROJECT_SOURCE_DIR}")
+  target_link_libraries(repository_test PRIVATE ${layers})
+  if(TARGET linewright)
+    add_dependencies(repository_test linewright)
+    target_compile_definitions(repository_test PRIVATE LINEWRIGHT_CLI="$<TARGET_FILE:linewright>")
+  endif()
+endfunction()
+
+# benchmarks/*.cpp -> one Google Benchmark program each, in <build folder>/benchmarks.
+function(linewright_add_benchmarks)
+  if(NOT LINEWRIGHT_BUILD_BENCHMARKS)
+    return()
+  endif()
+  file(GLOB sources CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/benchmarks/*.cpp")
+  get_property(layers GLOBAL PROPERTY LINEWRIGHT_LAYERS)
+  foreach(source IN LISTS sources)
+    cmake_path(GET source STEM name)
+    add_executable(${name} "${source}")
+    target_link_libraries(${name}
+      PRIVATE linewright_options ${layers} benchmark::benchmark benchmark::benchmark_main)
+    target_compile_definitions(${name} PRIVATE LINEWRIGHT_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
+    set_target_properties(${name} PROPERTIES
+      RUNTIME_OUTPUT_DIRECTORY "${PROJECT_BINARY_DIR}/benchmarks")
+  endforeach()
+endfunction()
+
+# fuzz/*.cpp -> one libFuzzer program each, in <build folder>/fuzzers.
+function(linewright_add_fuzzers)
+  if(NOT LINEWRIGHT_BUILD_FUZZERS)
+    return()
+  endif()
+  file(GLOB sources CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/fuzz/*.cpp")
+  get_property(layers GLOBAL PROPERTY LINEWRIGHT_LAYERS)
+  foreach(source IN LISTS sources)
+    cmake_path(GET source STEM name)
+    add_executable(${name} "${source}")
+    target_link_libraries(${name} PRIVATE linewright_options ${layers})
+    target_link_options(${name} PRIVATE -fsanitize=fuzzer)
+    set_target_properties(${name} PROPERTIES
+      RUNTIME_OUTPUT_DIRECTORY "${PROJECT_BINARY_DIR}/fuzzers")
+  endforeach()
+endfunction()

@@ -1,0 +1,353 @@
+#include <cmath>
+#include <initializer_list>
+#include <limits>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "limits.hpp"
+#include "shape.hpp"
+
+namespace linewright::loading {
+namespace {
+
+using Kind = Shape::Kind;
+
+ShapePtr make(Shape shape) { return std::make_shared<const Shape>(std::move(shape)); }
+
+ShapePtr scalar(Kind kind, std::string expected) {
+  Shape shape;
+  shape.kind = kind;
+  shape.expected = std::move(expected);
+  return make(std::move(shape));
+}
+
+ShapePtr integer(std::int32_t min, std::int32_t max) {
+  Shape shape;
+  shape.kind = Kind::kInteger;
+  shape.expected = fmt::format("a whole number from {} to {}", min, max);
+  shape.min = min;
+  shape.max = max;
+  return make(std::move(shape));
+}
+
+ShapePtr real(double min, double max) {
+  Shape shape;
+  shape.kind = Kind::kReal;
+  shape.expected = fmt::format("a number from {} to {}", min, max);
+  shape.min = min;
+  shape.max = max;
+  return make(std::move(shape));
+}
+
+ShapePtr choice(std::vector<std::string> choices) {
+  Shape shape;
+  shape.kind = Kind::kChoice;
+  for (const std::string& c : choices) shape.expected += (shape.expected.empty() ? "" : " or ") + c;
+  shape.choices = std::move(choices);
+  return make(std::move(shape));
+}
+
+ShapePtr list(ShapePtr of, std::string expected, std::size_t min = 0, std::size_t max = kMostEntries) {
+  Shape shape;
+  shape.kind = Kind::kList;
+  shape.expected = std::move(expected);
+  shape.alternatives = {std::move(of)};
+  shape.min_items = min;
+  shape.max_items = max;
+  return make(std::move(shape));
+}
+
+ShapePtr mapping(std::string expected, std::vector<Field> fields) {
+  Shape shape;
+  shape.kind = Kind::kMapping;
+  shape.expected = std::move(expected);
+  shape.fields = std::move(fields);
+  return make(std::move(shape));
+}
+
+/// A mapping from names to values; `noun` when its entries are things of their own in messages.
+ShapePtr names_to(ShapePtr others, std::string expected, std::string noun = {},
+                  std::size_t most = kMostEntries) {
+  Shape shape;
+  shape.kind = Kind::kMapping;
+  shape.expected = std::move(expected);
+  shape.others = std::move(others);
+  shape.noun = std::move(noun);
+  shape.max_entries = most;
+  return make(std::move(shape));
+}
+
+ShapePtr section(const std::string& noun, ShapePtr entry, std::size_t most = kMostEntries) {
+  return names_to(std::move(entry), fmt::format("a mapping from names to {}s", noun), noun, most);
+}
+
+/// Mappings told apart by the first key of their fields.
+ShapePtr variant(std::string noun, std::string expected, std::vector<ShapePtr> alternatives) {
+  Shape shape;
+  shape.kind = Kind::kVariant;
+  shape.noun = std::move(noun);
+  shape.expected = std::move(expected);
+  shape.alternatives = std::move(alternatives);
+  return make(std::move(shape));
+}
+
+ShapePtr one_of(std::vector<ShapePtr> alternatives) {
+  Shape shape;
+  shape.kind = Kind::kOneOf;
+  for (const ShapePtr& s : alternatives) {
+    shape.expected += (shape.expected.empty() ? "" : ", or ") + s->expected;
+  }
+  shape.alternatives = std::move(alternatives);
+  return make(std::move(shape));
+}
+
+Field key(std::string name, ShapePtr shape, std::string about) {
+  return {std::move(name), std::move(shape), std::move(about), false};
+}
+Field required(std::string name, ShapePtr shape, std::string about) {
+  return {std::move(name), std::move(shape), std::move(about), true};
+}
+
+ShapePtr name(const std::string& what) { return scalar(Kind::kName, what); }
+ShapePtr ticks() { return integer(0, kMaxTicks); }
+ShapePtr coordinate() { return real(-kLargestCoordinate, kLargestCoordinate); }
+
+ShapePtr condition() {
+  const ShapePtr one = scalar(Kind::kCondition, "a condition");
+  return one_of({one, list(one, "a list of at most 100 conditions", 0, 100)});
+}
+
+ShapePtr range(std::int32_t min) {
+  const ShapePtr bound = integer(min, kMostOfAKind);
+  return list(bound, "[min, max]", 2, 2);
+}
+
+ShapePtr start(const std::string& of) {
+  return one_of({choice({"random_station"}), list(name("a station"), "a list of stations, one per " + of)});
+}
+
+ShapePtr rectangle() { return list(coordinate(), "[x0, x1, y0, y1]", 4, 4); }
+
+ShapePtr worker() {
+  return mapping(
+      "a mapping with the properties of a kind of worker",
+      {key("count", one_of({integer(0, kMostOfAKind), range(0)}),
+           "How many; [min, max] is drawn uniformly at reset. Default 1"),
+       key("speed_mps", real(1e-3, 1e3), "Metres per second. Default 1.0"),
+       key("radius_m", real(0, 100), "Radius of the circle around the worker, metres. Default 0.3"),
+       key("footprint_m", list(real(1e-3, 100), "[length, width]", 2, 2), "Length and width, metres"),
+       key("turning_radius_m", real(0, 1e3), "Metres; 0 turns on the spot. Default 0"),
+       key("min_leg_ticks", ticks(), "A go or fetch lasts at least this long. Default 0"),
+       key("start", start("worker"), "Drawn without replacement, or a list: worker i at entry i")});
+}
+
+ShapePtr carrier() {
+  return mapping("a mapping with the properties of a kind of carrier",
+                 {key("count",
+                      one_of({integer(0, kMostOfAKind), range(0), name("a kind of worker (as many as of these)")}),
+                      "How many, or the kind of worker there are as many of. Default 1"),
+                  key("capacity", integer(1, kLargestAmount), "Items, all of one material. Default 1"),
+                  required("moved_by", name("a kind of worker"), "The kind of worker that moves it"),
+                  key("start", start("carrier"), "As for workers, over the mover's stations")});
+}
+
+ShapePtr station() {
+  Shape shape = *names_to(list(coordinate(), "[x_m, y_m, yaw_rad]", 3, 3),
+                          "a mapping from kinds of workers to poses");
+  shape.fields = {key("slots", names_to(integer(0, kMostOfAKind), "a mapping from kinds of workers to numbers"),
+                      "How many of a kind may start here. Default 1")};
+  return make(std::move(shape));
+}
+
+ShapePtr place() {
+  return mapping("a mapping with the properties of a place",
+                 {key("of", name("a material"), "Kind of material. Default: the place's name"),
+                  key("capacity", integer(1, kLargestAmount), "Default: unlimited"),
+                  key("initial", one_of({integer(0, kLargestAmount), name("'order' or 'N*order'")}),
+                      "Tokens at the start: a number, `order` or `N*order`. Default 0"),
+                  key("at", name("a station"), "The station where it is"),
+                  key("carrier", name("a kind of carrier"), "Makes the place a berth for one such carrier"),
+                  key("occupied", choice({"on_arrival", "on_assignment"}),
+                      "From when a carrier counts as standing in the berth")});
+}
+
+ShapePtr machine() {
+  const ShapePtr position = name("a position");
+  return mapping(
+      "a mapping with the properties of a machine",
+      {key("at", name("a station"), "Where it is drawn"),
+       key("positions", list(position, "a list of at most 64 positions", 1, kMostPositions),
+           "Where the machine can stand"),
+       key("start", position, "Where it stands at the start. Default: the first position"),
+       key("travel",
+           names_to(names_to(ticks(), "a mapping {FROM: ticks}"), "a mapping {TO: {FROM: ticks}}"),
+           "Ticks from position to position: {TO: {FROM: ticks}}"),
+       key("homing",
+           mapping("a mapping {to: POSITION, takes: {POSITION: ticks}}",
+                   {required("to", position, "Where the idle machine drives by itself"),
+                    required("takes", names_to(ticks(), "a mapping {POSITION: ticks}"),
+                             "Ticks to get there, by position"),
+                    key("holds", ticks(), "Ticks for which it stays where it came to rest. Default 0")}),
+           "The machine drives home when idle")});
+}
+
+ShapePtr machine_uses() {
+  const ShapePtr move = mapping("a mapping {from: POSITION, to: POSITION}",
+                                {key("from", name("a position"), "Travels here first"),
+                                 key("to", name("a position"), "Stands here at the end")});
+  const ShapePtr moved = names_to(move, "a mapping {MACHINE: {from: POSITION, to: POSITION}}");
+  return list(one_of({name("a machine"), moved}), "a list of machines");
+}
+
+ShapePtr token_flows() {
+  const ShapePtr counted = names_to(integer(1, kLargestAmount), "a mapping {PLACE: count}");
+  return one_of({list(one_of({name("a place"), counted}), "a list of places"), counted});
+}
+
+ShapePtr operation() {
+  return mapping(
+      "a mapping with the properties of an operation",
+      {key("takes", ticks(), "Ticks from the start to the products, without machine travel. Default 0"),
+       key("uses", machine_uses(), "Machines held to the end of the recovery"),
+       key("claims", machine_uses(), "Machines taken and kept until an operation frees them"),
+       key("frees", machine_uses(), "Machines claimed earlier, let go at the end of the recovery"),
+       key("consumes", token_flows(), "Places that tokens are taken from"),
+       key("produces", token_flows(), "Places that tokens are put into"),
+       key("when", condition(), "Conditions that must hold at the start"),
+       key("recovery", ticks(), "Ticks for which machines are held after the products are out"),
+       key("operated_by", name("a kind of worker"), "Starts only by an operate action of such a worker")});
+}
+
+ShapePtr crew_slot() {
+  return one_of({integer(1, kMostCrew),
+                 mapping("a mapping {count: N, join: late}",
+                         {key("count", integer(1, kMostCrew), "How many. Default 1"),
+                          key("join", choice({"late", "at_start"}), "late: the task may start without")}),
+                 name("empty, any or a berth (for a carrier)")});
+}
+
+ShapePtr action_shape(Field what, std::vector<Field> more = {}) {
+  Shape shape;
+  shape.kind = Kind::kMapping;
+  shape.noun = what.key;
+  what.required = true;
+  shape.fields = {std::move(what)};
+  for (Field& field : more) shape.fields.push_back(std::move(field));
+  shape.fields.push_back(key("before", ticks(), "Ticks of preparation. Default 0"));
+  shape.fields.push_back(key("after", ticks(), "Ticks of settling. Default 0"));
+  return make(std::move(shape));
+}
+
+ShapePtr action() {
+  const ShapePtr end = name("a place or a carrier");
+  return variant(
+      "action", "an action such as {go: STATION}",
+      {action_shape(key("go", name("a station"), "Walk or drive there with the carrier held")),
+       action_shape(key("fetch", name("a carrier"), "Go to the carrier and take it along")),
+       action_shape(key("park", name("a carrier"), "Put the carrier down"),
+                    {key("berth", name("a berth"), "Where it stays when the task is over")}),
+       action_shape(key("transfer", list(end, "[FROM, TO]", 2, 2), "Move items one by one"),
+                    {key("takes", integer(1, kMaxTicks), "Ticks per item. Default 1"),
+                     key("repeat", one_of({integer(1, kLargestAmount), choice({"until_blocked"})}),
+                         "How many items. Default 1")}),
+       action_shape(key("operate", name("an operation"), "Start it and stay until its products are out")),
+       action_shape(key("release", choice({"true"}), "Leave the task"))});
+}
+
+ShapePtr reservations() {
+  const ShapePtr one = one_of(
+      {name("a place"),
+       mapping("a mapping {room: PLACE}", {required("room", name("a place"), "Room for one token")})});
+  return one_of({name("a place"),
+                 mapping("a mapping {room: PLACE}", {required("room", name("a place"), "Room for one token")}),
+                 list(one, "a list of places and {room: PLACE}")});
+}
+
+ShapePtr task() {
+  const ShapePtr sequence =
+      one_of({action(), list(action(), "a list of actions", 1, kMostActions)});
+  return mapping(
+      "a mapping with the properties of a task",
+      {key("number", integer(1, kLargestAmount), "1-based number for planners and logs. Default: place in the file"),
+       required("crew", names_to(crew_slot(), "a mapping such as {human: 1, cage: empty}"),
+                "How many of each kind of worker, and which carriers"),
+       key("when", condition(), "Conditions for being selectable"),
+       key("reserves", reservations(), "A token, or room for one, kept from others from the decision on"),
+       key("max_running", integer(1, kMostOfAKind), "Executions at a time. Default 1"),
+       required("steps",
+                list(names_to(sequence, "a mapping {ROLE: actions}"), "a list of steps", 1, kMostSteps),
+                "One line is one rendezvous")});
+}
+
+ShapePtr milestone() {
+  const auto event = [](const char* what, const char* of, const char* about) {
+    return mapping("", {required(what, name(of), about)});
+  };
+  return variant("event", "a mapping such as {operation: NAME}",
+                 {event("operation", "an operation", "When its products appear"),
+                  event("place", "a place", "When a token arrives"),
+                  event("task_start", "a task", "When the task starts"),
+                  event("task_end", "a task", "When the task ends")});
+}
+
+ShapePtr map() {
+  return mapping(
+      "a mapping with bounds and obstacles",
+      {required("bounds", rectangle(), "x0, x1, y0, y1 in metres"),
+       key("cell_m", real(kSmallestCell, 100), "Edge of a grid cell, metres. Default 0.25"),
+       key("obstacles", section("obstacle", rectangle()), "Rectangles x0, x1, y0, y1 in metres")});
+}
+
+ShapePtr travel() {
+  const ShapePtr leg = one_of({ticks(), list(real(0, kMaxTicks), "[ticks, metres]", 2, 2)});
+  const ShapePtr row = names_to(leg, "a mapping {TO: ticks}", "", kMostStations);
+  const ShapePtr table = names_to(row, "a table {FROM: {TO: ticks}}", "", kMostStations);
+  return names_to(one_of({choice({"straight", "grid"}), table}), "a mapping from kinds of workers");
+}
+
+ShapePtr order() {
+  return mapping("a mapping {product: NAME, quantity: N, finished_in: PLACE}",
+                 {required("product", name("a name"), "What is made"),
+                  required("quantity", integer(1, kLargestAmount), "How many"),
+                  required("finished_in", name("a place"), "The place whose tokens count as finished"),
+                  key("done_when", condition(), "Default: finished_in >= order")});
+}
+
+ShapePtr horizon() {
+  const ShapePtr limit = integer(1, kMaxTicks);
+  return one_of({limit, names_to(limit, "a mapping {order quantity: ticks}")});
+}
+
+Shape whole_scenario() {
+  return *mapping(
+      "a mapping",
+      {required("schema", choice({"line/1"}), "Version of this format"),
+       key("extends", scalar(Kind::kText, "a file name"), "Another scenario file, relative to this one"),
+       required("name", name("a name"), "Of the line"),
+       key("tick_s", real(kShortestTick, 1e6), "Seconds per tick. Default 1"),
+       required("horizon", horizon(), "Ticks after which a run counts as failed"),
+       required("order", order(), "What has to be made"),
+       key("allow_wait", scalar(Kind::kBoolean, "true or false"), "A planner may decide to wait. Default false"),
+       key("for", names_to(list(name("a word"), "a list of words", 1, 64), "a mapping {VARIABLE: [value, ...]}"),
+           "Template variables and their values"),
+       key("workers", section("worker", worker(), kMostKinds), "Kinds of agents that move by themselves"),
+       key("carriers", section("carrier", carrier(), kMostKinds), "Things that workers move and that hold material"),
+       key("stations", section("station", station(), kMostStations), "Working areas"),
+       key("places", section("place", place()), "Hold counted material"),
+       key("machines", section("machine", machine()), "Exclusive resources"),
+       key("operations", section("operation", operation()), "Transitions that fire by themselves"),
+       key("tasks", section("task", task()), "What the planner may choose"),
+       key("milestones", section("milestone", milestone()), "Names under which the log notes events"),
+       key("map", map(), "The hall"),
+       key("travel", travel(), "Per kind of worker: straight, grid, or a table {FROM: {TO: ticks}}")});
+}
+
+}  // namespace
+
+const Shape& scenario_shape() {
+  static const Shape kShape = whole_scenario();
+  return kShape;
+}
+
+}  // namespace linewright::loading

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "linewright/base/tick.hpp"
+
+// What a scenario may be at most. The limits are far beyond real lines; they keep every later sum
+// and product within its type and every hostile file within bounded time and memory.
+namespace linewright::loading {
+
+inline constexpr std::size_t kMostEntries = 1000;       ///< per section, templates written out
+inline constexpr std::size_t kMostKinds = 16;           ///< of workers; of carriers
+inline constexpr std::size_t kMostStations = 400;       ///< travel tables grow with the square
+inline constexpr std::size_t kMostPositions = 64;       ///< of one machine
+inline constexpr std::size_t kMostSteps = 100;          ///< of one task
+inline constexpr std::size_t kMostActions = 100;        ///< of one crew member in one step
+inline constexpr std::int32_t kMostCrew = 8;            ///< slots of one task
+inline constexpr std::int32_t kMostOfAKind = 64;        ///< workers or carriers of one kind
+inline constexpr std::int32_t kLargestAmount = 1'000'000;
+inline constexpr std::int32_t kMostPerOrder = 1000;     ///< N of `N*order`
+inline constexpr double kLargestCoordinate = 1e5;       ///< metres
+inline constexpr double kSmallestCell = 0.01;           ///< metres
+inline constexpr double kShortestTick = 1e-3;           ///< seconds
+inline constexpr std::int64_t kMostCells = 4'000'000;   ///< of the map's grid
+inline constexpr double kMostGridWork = 3e8;             ///< cell visits to find all ways of one kind
+
+}  // namespace linewright::loading

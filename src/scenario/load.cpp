@@ -1,0 +1,76 @@
+#include "linewright/scenario/load.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "build_state.hpp"
+#include "shape.hpp"
+#include "shape_check.hpp"
+#include "source_files.hpp"
+#include "templates.hpp"
+#include "yaml_reader.hpp"
+
+namespace linewright {
+namespace {
+
+using loading::BuildState;
+using loading::Problems;
+using loading::SourceNode;
+
+void build(BuildState& state) {
+  loading::build_workers(state);
+  loading::build_stations(state);
+  loading::build_places(state);
+  loading::build_machines(state);
+  loading::build_operations(state);
+  loading::build_tasks(state);
+  loading::build_run(state);
+  loading::build_map(state);
+}
+
+void check(const BuildState& state) {
+  loading::check_workers(state);
+  loading::check_places(state);
+  loading::check_machines(state);
+  loading::check_operations(state);
+  loading::check_tasks(state);
+  loading::check_order(state);
+}
+
+/// From the merged tree to the scenario. Names come first and everything that needs the whole line
+/// last, so that the order in the file does not matter.
+Scenario resolve(SourceNode root, const std::string& file, Problems& problems) {
+  const std::uint64_t hash = loading::content_hash(root);
+  loading::expand_templates(root, problems);
+  loading::check_shape(root, loading::scenario_shape(), problems);
+  BuildState state(root, problems);
+  build(state);
+  check(state);
+  loading::build_travel(state);
+  problems.throw_if_any();
+  state.scenario.file = file;
+  state.scenario.content_hash = hash;
+  return std::move(state.scenario);
+}
+
+}  // namespace
+
+Scenario load_scenario(const std::string& file) {
+  Problems problems;
+  SourceNode root = loading::read_files(file, problems);
+  if (root.is_broken()) problems.throw_if_any();
+  return resolve(std::move(root), file, problems);
+}
+
+Scenario load_scenario_text(std::string_view text, const std::string& file_name) {
+  Problems problems;
+  SourceNode root = loading::read_yaml(text, problems.add_file(file_name), problems);
+  if (root.is_broken()) problems.throw_if_any();
+  if (const SourceNode* extends = root.find("extends")) {
+    problems.error(extends->mark, "'extends' needs a file, and this text has no folder",
+                   "load the scenario from a file");
+  }
+  return resolve(std::move(root), file_name, problems);
+}
+
+}  // namespace linewright

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "linewright/base/diagnostic.hpp"
+
+namespace linewright::loading {
+
+/// A spot in one of the files that make up a scenario. `line` 0 means the whole file.
+struct SourceMark {
+  int file = 0;  ///< index of Problems::add_file
+  int line = 0;
+  int column = 0;
+};
+
+/// Collects everything that is wrong, so that the user sees it all at once.
+class Problems {
+ public:
+  /// Registers a file and returns its number for SourceMark.
+  int add_file(std::string name);
+  [[nodiscard]] const std::string& file_name(int file) const;
+
+  void error(SourceMark mark, std::string message, std::string hint = {});
+
+  [[nodiscard]] std::size_t count() const { return count_; }
+  [[nodiscard]] bool none() const { return count_ == 0; }
+
+  /// Throws ScenarioError with all problems in the order of the files' lines; nothing without any.
+  void throw_if_any() const;
+
+ private:
+  struct Found {
+    SourceMark mark;
+    std::string message;
+    std::string hint;
+  };
+  [[nodiscard]] Diagnostic diagnostic(const Found& found) const;
+
+  std::vector<std::string> files_;
+  std::vector<Found> found_;
+  std::size_t count_ = 0;  ///< also those that are not kept any more
+};
+
+/// `text` in single quotes, control characters escaped, long text cut: safe to put into a message.
+[[nodiscard]] std::string in_quotes(std::string_view text);
+
+}  // namespace linewright::loading

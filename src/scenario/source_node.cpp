@@ -1,0 +1,88 @@
+#include "source_node.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace linewright::loading {
+namespace {
+
+class Fnv1a {
+ public:
+  void add(std::string_view bytes) {
+    for (const char c : bytes) {
+      hash_ = (hash_ ^ static_cast<unsigned char>(c)) * 0x100000001b3ULL;
+    }
+  }
+  /// A text behind its kind and length, so that no two different trees read the same.
+  void add_text(char kind, std::string_view text) {
+    add({&kind, 1});
+    add(std::to_string(text.size()));
+    add(":");
+    add(text);
+  }
+  [[nodiscard]] std::uint64_t value() const { return hash_; }
+
+ private:
+  std::uint64_t hash_ = 0xcbf29ce484222325ULL;
+};
+
+void hash_node(const SourceNode& node, Fnv1a& hash) {
+  switch (node.type) {
+    case SourceNode::Type::kScalar:
+      hash.add_text('s', node.text);
+      break;
+    case SourceNode::Type::kList:
+      hash.add("[");
+      for (const SourceNode& item : node.items) hash_node(item, hash);
+      hash.add("]");
+      break;
+    case SourceNode::Type::kMapping:
+      hash.add("{");
+      for (const SourceEntry& entry : node.entries) {
+        hash.add_text('k', entry.key);
+        hash_node(entry.value, hash);
+      }
+      hash.add("}");
+      break;
+    case SourceNode::Type::kNull:
+    case SourceNode::Type::kBroken:
+      hash.add("~");
+      break;
+  }
+}
+
+}  // namespace
+
+const SourceNode* SourceNode::find(std::string_view key) const {
+  const auto entry = std::find_if(entries.begin(), entries.end(),
+                                  [&](const SourceEntry& e) { return e.key == key; });
+  if (entry == entries.end() || entry->value.is_broken()) return nullptr;
+  return &entry->value;
+}
+
+SourceNode* SourceNode::find(std::string_view key) {
+  return const_cast<SourceNode*>(std::as_const(*this).find(key));
+}
+
+void SourceNode::break_off() {
+  type = Type::kBroken;
+  sound = false;
+  text.clear();
+  items.clear();
+  entries.clear();
+}
+
+std::size_t count_nodes(const SourceNode& node) {
+  std::size_t count = 1;
+  for (const SourceNode& item : node.items) count += count_nodes(item);
+  for (const SourceEntry& entry : node.entries) count += count_nodes(entry.value);
+  return count;
+}
+
+std::uint64_t content_hash(const SourceNode& root) {
+  Fnv1a hash;
+  hash_node(root, hash);
+  return hash.value();
+}
+
+}  // namespace linewright::loading

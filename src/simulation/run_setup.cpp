@@ -1,0 +1,99 @@
+#include "linewright/simulation/run_setup.hpp"
+
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "linewright/base/diagnostic.hpp"
+
+namespace linewright {
+namespace {
+
+constexpr std::int32_t kMostProducts = 1'000'000;
+
+std::int32_t crew_size(const LineModel& line, const RunOptions& options, std::size_t kind,
+                       std::uint64_t seed) {
+  const WorkerKind& worker = line.worker_kinds[kind];
+  if (kind < options.workers.size() && options.workers[kind]) {
+    const std::int32_t asked = *options.workers[kind];
+    if (asked < worker.count.min || asked > worker.count.max) {
+      throw ScenarioError({}, fmt::format("{} {}s asked for, but line '{}' is made for {} to {}", asked,
+                                          worker.name, line.name, worker.count.min, worker.count.max),
+                          fmt::format("ask for {} to {}, or change workers.{}.count in the scenario",
+                                      worker.count.min, worker.count.max, worker.name));
+    }
+    return asked;
+  }
+  auto stream = RandomStream::derive(seed, "crew", kind);
+  return stream.between(worker.count.min, worker.count.max);
+}
+
+/// Draws `count` of the stations without replacement, in order of drawing.
+std::vector<StationId> draw(std::vector<StationId> stations, std::int32_t count,
+                            RandomStream stream) {
+  std::vector<StationId> drawn;
+  for (std::int32_t i = 0; i < count && !stations.empty(); ++i) {
+    const std::size_t pick = stream.below(stations.size());
+    drawn.push_back(stations[pick]);
+    stations.erase(stations.begin() + static_cast<std::ptrdiff_t>(pick));
+  }
+  return drawn;
+}
+
+std::vector<StationId> place(const std::vector<StationId>& fixed, std::int32_t count,
+                             const std::vector<StationId>& stations, RandomStream stream) {
+  if (fixed.empty()) return draw(stations, count, stream);
+  return {fixed.begin(), fixed.begin() + count};
+}
+
+}  // namespace
+
+std::vector<StationId> start_stations(const LineModel& line, WorkerKindId kind) {
+  std::vector<StationId> stations;
+  for (std::size_t s = 0; s < line.stations.size(); ++s) {
+    if (!line.stations[s].poses[kind.index()]) continue;
+    for (std::int32_t i = 0; i < line.stations[s].slots[kind.index()]; ++i) stations.emplace_back(s);
+  }
+  return stations;
+}
+
+RunSetup sample_setup(const LineModel& line, const RunOptions& options, std::uint64_t seed) {
+  RunSetup setup;
+  setup.order = options.order.value_or(line.order.quantity);
+  if (setup.order < 1 || setup.order > kMostProducts) {
+    throw ScenarioError({}, fmt::format("an order of {} is not possible", setup.order),
+                        fmt::format("order 1 to {}", kMostProducts));
+  }
+  constexpr std::int64_t kMostItems = 100'000'000;
+  for (const Place& p : line.places) {
+    const std::int64_t items = p.initial.value(setup.order);
+    const std::int64_t most = p.capacity.value_or(kMostItems);
+    if (items > most) {
+      throw ScenarioError({}, fmt::format("an order of {} puts {} items into '{}', which holds {}",
+                                          setup.order, items, p.name, most),
+                          "order less, or raise the capacity in the scenario");
+    }
+  }
+  setup.horizon = options.horizon.value_or(line.horizon.ticks(setup.order));
+  if (setup.horizon < 1 || setup.horizon > kMaxTicks) {
+    throw ScenarioError({}, fmt::format("a horizon of {} ticks is not possible", setup.horizon),
+                        fmt::format("give 1 to {} ticks", kMaxTicks));
+  }
+  for (std::size_t k = 0; k < line.worker_kinds.size(); ++k) {
+    setup.worker_start.push_back(place(line.worker_kinds[k].start, crew_size(line, options, k, seed),
+                                       start_stations(line, WorkerKindId(k)),
+                                       RandomStream::derive(seed, "worker_start", k)));
+  }
+  for (std::size_t k = 0; k < line.carrier_kinds.size(); ++k) {
+    const CarrierKind& carrier = line.carrier_kinds[k];
+    const std::int32_t count =
+        carrier.count_as
+            ? static_cast<std::int32_t>(setup.worker_start[carrier.count_as->index()].size())
+            : RandomStream::derive(seed, "carriers", k).between(carrier.count.min, carrier.count.max);
+    setup.carrier_start.push_back(place(carrier.start, count, start_stations(line, carrier.moved_by),
+                                        RandomStream::derive(seed, "carrier_start", k)));
+  }
+  return setup;
+}
+
+}  // namespace linewright

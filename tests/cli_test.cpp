@@ -1,0 +1,193 @@
+// The command line tool as a user meets it: what it prints, where, and its exit codes.
+
+#include <sys/wait.h>
+
+#include <array>
+#include <cstdio>
+#include <fstream>
+#include <iterator>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "tests/support.hpp"
+
+#ifdef LINEWRIGHT_CLI
+
+namespace linewright::testing {
+namespace {
+
+using Json = nlohmann::json;
+
+struct Output {
+  int code = -1;
+  std::string out;
+  std::string err;
+};
+
+std::string read_file(const std::string& file) {
+  std::ifstream in(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
+}
+
+Output linewright(const std::string& arguments) {
+  const std::string errors = ::testing::TempDir() + "/linewright_cli_errors.txt";
+  const std::string command = std::string(LINEWRIGHT_CLI) + " " + arguments + " 2>" + errors;
+  Output output;
+  FILE* pipe = popen(command.c_str(), "r");
+  if (pipe == nullptr) return output;
+  std::array<char, 4096> buffer{};
+  while (const std::size_t n = fread(buffer.data(), 1, buffer.size(), pipe)) output.out.append(buffer.data(), n);
+  const int status = pclose(pipe);
+  output.code = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+  output.err = read_file(errors);
+  std::filesystem::remove(errors);
+  return output;
+}
+
+TEST(Cli, SimulatePrintsOneJsonObject) {
+  const Output output = linewright("simulate scenarios/duct_line.yaml --humans 2 --robots 2 --json");
+  ASSERT_EQ(output.code, 0) << output.err;
+  const Json json = Json::parse(output.out);
+  EXPECT_TRUE(json["finished"].get<bool>());
+  EXPECT_GT(json["makespan"].get<int>(), 600);
+  EXPECT_EQ(json["progress"], 1.0);
+  EXPECT_EQ(json["crew"], (Json{{"human", 2}, {"robot", 2}}));
+  EXPECT_EQ(output.err, "");
+}
+
+TEST(Cli, ReplaysARecordedRun) {
+  const Output output = linewright(
+      "simulate scenarios/duct_line_published.yaml --planner replay "
+      "--decisions tests/data/recorded/rule_H3R3_n6_s2.json --json");
+  ASSERT_EQ(output.code, 0) << output.err;
+  const Json json = Json::parse(output.out);
+  EXPECT_EQ(json["makespan"], 795);
+  EXPECT_EQ(json["replay"]["milestones"]["largest_difference"], 0);
+}
+
+TEST(Cli, TellsADeadlock) {
+  const Output output = linewright(
+      "simulate scenarios/duct_line_published.yaml --planner replay "
+      "--decisions tests/data/recorded/random_H1R1_n5_s0.json --json");
+  ASSERT_EQ(output.code, 0) << output.err;
+  const Json json = Json::parse(output.out);
+  EXPECT_FALSE(json["finished"].get<bool>());
+  EXPECT_TRUE(json["makespan"].is_null());
+  EXPECT_EQ(json["status"], "deadlock");
+}
+
+TEST(Cli, EvaluateIsTheSameForEveryNumberOfThreads) {
+  const std::string command =
+      "evaluate scenarios/duct_line.yaml --planner random --humans 1..2 --robots 2 --trials 20 --json --threads ";
+  const Output one = linewright(command + "1");
+  ASSERT_EQ(one.code, 0) << one.err;
+  EXPECT_EQ(one.out, linewright(command + "2").out);
+  const Json json = Json::parse(one.out);
+  ASSERT_EQ(json["rows"].size(), 2U);
+  EXPECT_EQ(json["rows"][1]["humans"], 2);
+  EXPECT_EQ(json["rows"][1]["robots"], 2);
+  for (const char* key : {"mean", "sd", "ci95"}) EXPECT_TRUE(json["rows"][0]["makespan"].contains(key));
+  for (const char* key : {"success_rate", "progress", "distance"}) EXPECT_TRUE(json["rows"][0].contains(key));
+  EXPECT_TRUE(json.contains("mean_makespan"));
+  EXPECT_TRUE(json.contains("success_rate"));
+}
+
+TEST(Cli, EvaluateComparesTwoConfigurationsInPairs) {
+  const Output output = linewright(
+      "evaluate scenarios/duct_line.yaml --humans 1 --robots 1 --trials 10 --versus +longest_path --json");
+  ASSERT_EQ(output.code, 0) << output.err;
+  EXPECT_EQ(Json::parse(output.out)["paired"]["equal"], 10);
+}
+
+TEST(Cli, BenchPrintsSpeedAndTheSameFingerprintTwice) {
+  const std::string command = "bench scenarios/duct_line.yaml --humans 2 --robots 2 --seconds 0.05 --json";
+  const Output output = linewright(command);
+  ASSERT_EQ(output.code, 0) << output.err;
+  const Json json = Json::parse(output.out);
+  EXPECT_GT(json["decisions_per_second"].get<double>(), 0.0);
+  EXPECT_GT(json["episodes_per_second"].get<double>(), 0.0);
+  EXPECT_EQ(json["fingerprint"], Json::parse(linewright(command).out)["fingerprint"]);
+}
+
+TEST(Cli, CheckReportsTheDeadStateOfEarlyCollecting) {
+  const Output output = linewright("check scenarios/duct_line.yaml --humans 1 --robots 1 --json");
+  ASSERT_EQ(output.code, 0) << output.err;
+  const Json json = Json::parse(output.out);
+  ASSERT_FALSE(json["dead_states"].empty());
+  EXPECT_EQ(json["dead_states"][0]["task"], "collect_ducts");
+  EXPECT_EQ(json["dead_states"][0]["proven"], true);
+  EXPECT_EQ(linewright("check scenarios/duct_line.yaml --humans 1 --robots 1 --strict").code, 1);
+}
+
+TEST(Cli, WritesLogAndGanttAndDrawsTheLogAgain) {
+  const std::string folder = ::testing::TempDir() + "/linewright_cli/out";
+  const Output output = linewright("simulate scenarios/teaching/kitting_cell.yaml --log " + folder +
+                                   "/run.jsonl --gantt " + folder + "/run.svg");
+  ASSERT_EQ(output.code, 0) << output.err;
+  EXPECT_NE(output.out.find(folder + "/run.svg"), std::string::npos);
+  ASSERT_EQ(linewright("gantt " + folder + "/run.jsonl --out " + folder + "/again.svg").code, 0);
+  EXPECT_EQ(read_file(folder + "/run.svg"), read_file(folder + "/again.svg"));
+  EXPECT_FALSE(read_file(folder + "/run.svg").empty());
+  std::filesystem::remove_all(::testing::TempDir() + "/linewright_cli");
+}
+
+TEST(Readme, EveryCommandLineWorks) {
+  std::ifstream in(LINEWRIGHT_SOURCE_DIR "/README.md");
+  const std::string prefix = "    linewright ";
+  int seen = 0;
+  for (std::string line; std::getline(in, line);) {
+    if (!line.starts_with(prefix)) continue;
+    ++seen;
+    const Output output = linewright(line.substr(prefix.size()));
+    EXPECT_EQ(output.code, 0) << line << "\n" << output.err;
+    EXPECT_NE(output.out, "") << line;
+  }
+  EXPECT_GE(seen, 5);
+}
+
+struct Wrong {
+  const char* arguments;
+  const char* says;
+};
+
+class CliErrors : public ::testing::TestWithParam<Wrong> {};
+
+TEST_P(CliErrors, ExitWithTwoAndSayWhatToWrite) {
+  const Output output = linewright(GetParam().arguments);
+  EXPECT_EQ(output.code, 2);
+  EXPECT_EQ(output.out, "");
+  EXPECT_NE(output.err.find(GetParam().says), std::string::npos) << output.err;
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    All, CliErrors,
+    ::testing::Values(
+        Wrong{"simulate nowhere.yaml", "nowhere.yaml"},
+        Wrong{"simulate scenarios/duct_line.yaml --planner frist", "did you mean 'first'?"},
+        Wrong{"simulate scenarios/duct_line.yaml --allocator sapp", "did you mean 'sap'?"},
+        Wrong{"simulate scenarios/duct_line.yaml --planner priority:1,99", "no task '99'"},
+        Wrong{"simulate scenarios/duct_line.yaml --planner priority:cut_strait", "did you mean 'cut_straight'?"},
+        Wrong{"simulate scenarios/duct_line.yaml --planner priority:1,1", "listed twice"},
+        Wrong{"simulate scenarios/duct_line.yaml --planner first:3", "takes no '3'"},
+        Wrong{"simulate scenarios/duct_line.yaml --humans 7", "made for 1 to 3"},
+        Wrong{"simulate scenarios/duct_line.yaml --humans two", "is no count"},
+        Wrong{"simulate scenarios/duct_line.yaml --crew forklift=1", "no workers called 'forklift'"},
+        Wrong{"simulate scenarios/duct_line.yaml --order 0", "order of 0"},
+        Wrong{"simulate scenarios/duct_line.yaml --horizon -5", "horizon"},
+        Wrong{"simulate scenarios/duct_line.yaml --planner replay", "--decisions FILE"},
+        Wrong{"simulate scenarios/duct_line.yaml --decisions x.json", "--planner replay"},
+        Wrong{"simulate scenarios/duct_line.yaml --planner replay --decisions nowhere.json", "nowhere.json"},
+        Wrong{"simulate scenarios/duct_line.yaml --planner replay --decisions README.md", "event log"},
+        Wrong{"simulate scenarios/duct_line.yaml --log /proc/nowhere/x.jsonl", "cannot be written"},
+        Wrong{"simulate scenarios/duct_line.yaml --gantt out/x.pdf", ".svg"},
+        Wrong{"evaluate scenarios/duct_line.yaml --humans 3..1", "is empty"},
+        Wrong{"evaluate scenarios/duct_line.yaml --trials 0", "--trials"},
+        Wrong{"gantt nowhere.jsonl", "nowhere.jsonl"},
+        Wrong{"gantt scenarios/duct_line.yaml", "scenarios/duct_line.yaml"},
+        Wrong{"nonsense", "nonsense"}));
+
+}  // namespace
+}  // namespace linewright::testing
+
+#endif
