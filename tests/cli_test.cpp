@@ -146,6 +146,15 @@ TEST(Readme, EveryCommandLineWorks) {
   EXPECT_GE(seen, 5);
 }
 
+TEST(Cli, CheckPrintsDiagnosticsAsJson) {
+  const Output output = linewright("check tests/diagnostics/unknown_key.yaml --json");
+  EXPECT_EQ(output.code, 2);
+  const Json json = Json::parse(output.out);
+  EXPECT_EQ(json["valid"], false);
+  ASSERT_FALSE(json["diagnostics"].empty());
+  EXPECT_GT(json["diagnostics"][0]["line"].get<int>(), 0);
+}
+
 struct Wrong {
   const char* arguments;
   const char* says;
@@ -185,7 +194,8 @@ INSTANTIATE_TEST_SUITE_P(
         Wrong{"evaluate scenarios/duct_line.yaml --trials 0", "--trials"},
         Wrong{"gantt nowhere.jsonl", "nowhere.jsonl"},
         Wrong{"gantt scenarios/duct_line.yaml", "scenarios/duct_line.yaml"},
-        Wrong{"nonsense", "nonsense"}));
+        Wrong{"simulate scenarios/duct_line.yaml --humanz 2", "did you mean '--humans'?"},
+        Wrong{"simualte", "did you mean 'simulate'?"}));
 
 }  // namespace
 }  // namespace linewright::testing

@@ -88,8 +88,28 @@ std::string dead_state_text(const LineModel& line, const DeadState& dead, std::i
   return text;
 }
 
+/// The diagnostics as JSON on standard output, for `--json`; the text goes to standard error as always.
+Scenario load_reporting(const CheckArguments& arguments) {
+  try {
+    return load_scenario(arguments.run.scenario);
+  } catch (const ScenarioError& error) {
+    if (arguments.run.json) {
+      Json object{{"valid", false}, {"diagnostics", Json::array()}};
+      for (const Diagnostic& d : error.diagnostics()) {
+        object["diagnostics"].push_back({{"file", d.file},
+                                         {"line", d.line},
+                                         {"column", d.column},
+                                         {"message", d.message},
+                                         {"hint", d.hint}});
+      }
+      print(object.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
+    }
+    throw;
+  }
+}
+
 int check(const CheckArguments& arguments) {
-  const Scenario scenario = load_scenario(arguments.run.scenario);
+  const Scenario scenario = load_reporting(arguments);
   const LineModel& line = scenario.line;
   const Simulator simulator(std::make_shared<const LineModel>(line));
   std::string text = fmt::format("{}: valid: {} tasks, {} operations, {} machines, {} places, {} stations\n",

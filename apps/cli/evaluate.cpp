@@ -241,6 +241,7 @@ int evaluate(const EvaluateArguments& arguments) {
     print(object.dump(2) + "\n");
   } else {
     for (const Evaluation& evaluation : evaluations) {
+      if (evaluation.rows.empty()) continue;  // interrupted before the first crew was complete
       print(fmt::format("{}{}, {}: {} trials per crew\n", &evaluation == &evaluations[0] ? "" : "\n", line.name,
                         name_of(evaluation.configuration), arguments.trials) +
             table_of(line, evaluation) +

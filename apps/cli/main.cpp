@@ -37,6 +37,23 @@ void refuse_unknown(int argc, char** argv,
                                   linewright::name_hint(argv[1], names) + "; linewright --help shows them");
 }
 
+/// For every option on the command line that the command does not have: the nearest one it has.
+void suggest_options(int argc, char** argv,
+                     const std::vector<std::pair<CLI::App*, linewright::cli::Command>>& commands) {
+  for (const auto& [app, command] : commands) {
+    if (argc < 2 || app->get_name() != argv[1]) continue;
+    std::vector<std::string> names;
+    for (const CLI::Option* option : app->get_options()) {
+      for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+    }
+    for (int i = 2; i < argc; ++i) {
+      const std::string word = std::string(argv[i]).substr(0, std::string(argv[i]).find('='));
+      if (!word.starts_with("--") || std::find(names.begin(), names.end(), word) != names.end()) continue;
+      linewright::cli::report(fmt::format("{}: {}", word, linewright::name_hint(word, names)));
+    }
+  }
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -72,8 +89,9 @@ int main(int argc, char** argv) {
     app.parse(argc, argv);
     return run(commands);
   } catch (const CLI::ParseError& error) {
-    const int code = app.exit(error);
-    return code == 0 ? cli::kOk : cli::kBadInput;
+    if (app.exit(error) == 0) return cli::kOk;  // --help and --version come here, too
+    suggest_options(argc, argv, commands);
+    return cli::kBadInput;
   } catch (const ScenarioError& error) {
     cli::report(error.what());
     return cli::kBadInput;

@@ -30,13 +30,16 @@ struct Binding {
 class WorkerRows {
  public:
   WorkerRows(const LogDocument& log, std::vector<GanttRow>& rows, std::size_t& budget)
-      : log_(log), bindings_(rows.size()), members_(log.decisions.size()) {
+      : log_(log),
+        bindings_(rows.size()),
+        carried_(rows.size()),
+        holders_(log.header.carriers.size()),
+        members_(log.decisions.size()) {
     for (GanttRow& row : rows) builders_.emplace_back(row, log.end.tick, budget);
     for (const LogWorker& worker : log.header.workers) stations_.push_back(worker.start);
   }
 
   void follow() {
-    carried_.resize(log_.header.workers.size());
     for (const LoggedEvent& event : log_.events) {
       now_ = event.tick;
       std::visit(*this, event.what);
@@ -59,6 +62,8 @@ class WorkerRows {
     }
   }
   void operator()(const LoggedGo& go) {
+    // To where it stands already: nothing moves, even if the line asks a tick for it.
+    if (go.from == go.to) return;
     add(go.worker, {go.departs, go.arrives, GanttKind::kTravel, way(go),
                     fmt::format(" · {:.1f} m", go.metres), go.to});
   }
@@ -73,8 +78,16 @@ class WorkerRows {
     add(*start.worker, {now_, start.until, GanttKind::kWork,
                         "operate " + log_.header.operations[start.operation.index()].name, {}, {}});
   }
-  void operator()(const LoggedPickUp& up) { carried_[up.worker.index()] = up.carrier; }
-  void operator()(const LoggedPutDown& down) { carried_[down.worker.index()].reset(); }
+  void operator()(const LoggedPickUp& up) {
+    auto& holder = holders_[up.carrier.index()];
+    if (holder) carried_[holder->index()].reset();  // handed over
+    holder = up.worker;
+    carried_[up.worker.index()] = up.carrier;
+  }
+  void operator()(const LoggedPutDown& down) {
+    carried_[down.worker.index()].reset();
+    holders_[down.carrier.index()].reset();
+  }
   template <class Other>
   void operator()(const Other& /*event*/) {}
 
@@ -98,12 +111,9 @@ class WorkerRows {
     row.skip_to(binding->since);
     StationId station = binding->station;
     for (Activity& activity : binding->activities) {
-      // A way to where it stands takes no time and does not cut the waiting in two.
-      if (activity.begin < activity.end) {
-        wait(worker, std::min(activity.begin, now_), station);
-        activity.end = std::min(activity.end, now_);
-        draw(worker, activity);
-      }
+      wait(worker, std::min(activity.begin, now_), station);
+      activity.end = std::min(activity.end, now_);
+      draw(worker, activity);
       if (activity.leads) station = *activity.leads;
     }
     wait(worker, now_, station);
@@ -153,7 +163,8 @@ class WorkerRows {
   std::vector<RowBuilder> builders_;
   std::vector<std::optional<Binding>> bindings_;
   std::vector<StationId> stations_;  ///< where each worker stands or is going
-  std::vector<std::optional<CarrierId>> carried_;
+  std::vector<std::optional<CarrierId>> carried_;  ///< by worker
+  std::vector<std::optional<WorkerId>> holders_;   ///< by carrier
   std::vector<std::vector<WorkerId>> members_;  ///< by decision
   Tick now_ = 0;
 };

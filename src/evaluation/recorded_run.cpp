@@ -60,6 +60,11 @@ class Reader {
       std::size_t number = 0;
       for (const Json& decision : record["decisions"]) read_decision(decision, ++number);
     }
+    // A record may have had another limit: never cut it off before its own end.
+    if (!run_.decisions.empty()) {
+      const Tick last = run_.decisions.back().tick;
+      run_.setup.horizon = std::max(run_.setup.horizon, last > kMaxTicks / 2 ? kMaxTicks : last * 2);
+    }
     read_milestones(record);
     if (record.contains("finished") && record["finished"].is_boolean()) {
       run_.finished = record["finished"].get<bool>();

@@ -118,7 +118,9 @@ RunStatus Engine::advance() {
       if (find_join(compiled_, state_)) return state_.status = RunStatus::kJoin;
       if (any_selectable()) return state_.status = RunStatus::kDecision;
     }
-    if (state_.events.empty()) return end(RunStatus::kDeadlock, state_.now);
+    if (state_.events.empty()) {
+      return end(any_selectable() ? RunStatus::kHorizon : RunStatus::kDeadlock, state_.now);
+    }
     const Tick next = state_.events.back().tick();
     if (next > state_.horizon) return end(RunStatus::kHorizon, state_.horizon);
     process_tick(next);

@@ -67,7 +67,7 @@ class Engine {
   void occupy_berth(std::int32_t place, std::int16_t carrier);
   void vacate_berth(std::int32_t place, std::int16_t carrier);
 
-  // engine_work.cpp: people, robots, tasks
+  // engine_tasks.cpp: crews, steps; engine_actions.cpp: what workers do; engine_transfer.cpp: items
   void bind_worker(std::int16_t worker, std::int16_t execution, std::size_t slot);
   void bind_carrier(std::int16_t carrier, std::int16_t execution);
   void unbind_worker(std::int16_t worker);

@@ -28,6 +28,16 @@ std::int32_t crew_size(const LineModel& line, const RunOptions& options, std::si
   return stream.between(worker.count.min, worker.count.max);
 }
 
+/// States number them in 16 bits.
+void refuse_too_many(const std::vector<std::vector<StationId>>& start, const char* what) {
+  constexpr std::size_t kMost = 30'000;
+  std::size_t total = 0;
+  for (const auto& kind : start) total += kind.size();
+  if (total <= kMost) return;
+  throw ScenarioError({}, fmt::format("{} {} are too many for one run", total, what),
+                      fmt::format("at most {} are possible", kMost));
+}
+
 /// Draws `count` of the stations without replacement, in order of drawing.
 std::vector<StationId> draw(std::vector<StationId> stations, std::int32_t count,
                             RandomStream stream) {
@@ -93,6 +103,8 @@ RunSetup sample_setup(const LineModel& line, const RunOptions& options, std::uin
     setup.carrier_start.push_back(place(carrier.start, count, start_stations(line, carrier.moved_by),
                                         RandomStream::derive(seed, "carrier_start", k)));
   }
+  refuse_too_many(setup.worker_start, "workers");
+  refuse_too_many(setup.carrier_start, "carriers");
   return setup;
 }
 
