@@ -1,8 +1,8 @@
 // The simulator's inner loop: whole episodes, single decisions, copies. Run with `make bench`.
 
-#include <memory>
-
 #include <benchmark/benchmark.h>
+
+#include <memory>
 
 #include "linewright/allocation/allocator.hpp"
 #include "linewright/planning/episode.hpp"

@@ -1,9 +1,9 @@
 // Whom the allocators choose, against a plain enumeration of everyone who is free.
 
+#include <gtest/gtest.h>
+
 #include <algorithm>
 #include <map>
-
-#include <gtest/gtest.h>
 
 #include "linewright/allocation/allocator.hpp"
 #include "linewright/planning/episode.hpp"
@@ -13,7 +13,8 @@
 namespace linewright::testing {
 namespace {
 
-/// Calls `check(state, task)` at every decision of some random runs with three humans and three robots.
+/// Calls `check(state, task)` at every decision of some random runs with three humans and three
+/// robots.
 template <class Check>
 void at_decisions(const Simulator& simulator, Check&& check) {
   const auto planner = PlannerRegistry::make("random", simulator);
@@ -51,8 +52,14 @@ StationId station_named(const LineModel& line, const std::string& name) {
 std::map<int, Tick> ways_to_cutter(const Simulator& simulator, const SimulationState& state) {
   std::map<int, Tick> ways;
   for (std::size_t w = 0; w < state.workers.size(); ++w) {
-    if (!state.workers[w].free() || simulator.line().worker_kinds[static_cast<std::size_t>(state.workers[w].kind)].name != "human") continue;
-    ways[static_cast<int>(w)] = simulator.route_from_worker(state, WorkerId(w), station_named(simulator.line(), "cutter_panel")).ticks;
+    if (!state.workers[w].free() ||
+        simulator.line().worker_kinds[static_cast<std::size_t>(state.workers[w].kind)].name !=
+            "human")
+      continue;
+    ways[static_cast<int>(w)] =
+        simulator
+            .route_from_worker(state, WorkerId(w), station_named(simulator.line(), "cutter_panel"))
+            .ticks;
   }
   return ways;
 }
@@ -68,8 +75,10 @@ TEST(Allocation, SapTakesTheNearestAndLongestPathTheFarthestHuman) {
     ++chosen;
     const auto ways = ways_to_cutter(simulator, state);
     const auto less = [](const auto& a, const auto& b) { return a.second < b.second; };
-    EXPECT_EQ(ways.at(sap->allocate(state, cut).members[0]), std::min_element(ways.begin(), ways.end(), less)->second);
-    EXPECT_EQ(ways.at(longest->allocate(state, cut).members[0]), std::max_element(ways.begin(), ways.end(), less)->second);
+    EXPECT_EQ(ways.at(sap->allocate(state, cut).members[0]),
+              std::min_element(ways.begin(), ways.end(), less)->second);
+    EXPECT_EQ(ways.at(longest->allocate(state, cut).members[0]),
+              std::max_element(ways.begin(), ways.end(), less)->second);
   });
   EXPECT_GT(chosen, 20);
 }
@@ -87,13 +96,18 @@ TEST(Allocation, SapTakesRobotAndCageWithTheShortestWayTogether) {
     const auto cost = [&](std::size_t robot, std::size_t cage) {
       const StationId stands(std::int32_t{state.carriers[cage].station});
       return simulator.route_from_worker(state, WorkerId(robot), stands).ticks +
-             line.travel[static_cast<std::size_t>(state.workers[robot].kind)].leg(stands, rack).ticks;
+             line.travel[static_cast<std::size_t>(state.workers[robot].kind)]
+                 .leg(stands, rack)
+                 .ticks;
     };
     Tick best = kMaxTicks;
     for (std::size_t w = 0; w < state.workers.size(); ++w) {
-      if (!state.workers[w].free() || line.worker_kinds[static_cast<std::size_t>(state.workers[w].kind)].name != "robot") continue;
+      if (!state.workers[w].free() ||
+          line.worker_kinds[static_cast<std::size_t>(state.workers[w].kind)].name != "robot")
+        continue;
       for (std::size_t c = 0; c < state.carriers.size(); ++c) {
-        if (state.carriers[c].free() && state.carriers[c].items == 0) best = std::min(best, cost(w, c));
+        if (state.carriers[c].free() && state.carriers[c].items == 0)
+          best = std::min(best, cost(w, c));
       }
     }
     const Assignment assignment = sap->allocate(state, bring);
@@ -115,7 +129,8 @@ TEST(Allocation, FirstIdleTakesTheLowestNumbers) {
   const auto first = make_allocator("first_idle", simulator);
   at_decisions(simulator, [&](const SimulationState& state, TaskId) {
     if (!state.is_selectable(cut)) return;
-    EXPECT_EQ(first->allocate(state, cut).members[0], ways_to_cutter(simulator, state).begin()->first);
+    EXPECT_EQ(first->allocate(state, cut).members[0],
+              ways_to_cutter(simulator, state).begin()->first);
   });
 }
 

@@ -1,13 +1,12 @@
 // The command line tool as a user meets it: what it prints, where, and its exit codes.
 
+#include <gtest/gtest.h>
 #include <sys/wait.h>
 
 #include <array>
 #include <cstdio>
 #include <fstream>
 #include <iterator>
-
-#include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
 #include "tests/support.hpp"
@@ -37,7 +36,8 @@ Output linewright(const std::string& arguments) {
   FILE* pipe = popen(command.c_str(), "r");
   if (pipe == nullptr) return output;
   std::array<char, 4096> buffer{};
-  while (const std::size_t n = fread(buffer.data(), 1, buffer.size(), pipe)) output.out.append(buffer.data(), n);
+  while (const std::size_t n = fread(buffer.data(), 1, buffer.size(), pipe))
+    output.out.append(buffer.data(), n);
   const int status = pclose(pipe);
   output.code = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
   output.err = read_file(errors);
@@ -46,7 +46,8 @@ Output linewright(const std::string& arguments) {
 }
 
 TEST(Cli, SimulatePrintsOneJsonObject) {
-  const Output output = linewright("simulate scenarios/duct_line.yaml --humans 2 --robots 2 --json");
+  const Output output =
+      linewright("simulate scenarios/duct_line.yaml --humans 2 --robots 2 --json");
   ASSERT_EQ(output.code, 0) << output.err;
   const Json json = Json::parse(output.out);
   EXPECT_TRUE(json["finished"].get<bool>());
@@ -79,7 +80,8 @@ TEST(Cli, TellsADeadlock) {
 
 TEST(Cli, EvaluateIsTheSameForEveryNumberOfThreads) {
   const std::string command =
-      "evaluate scenarios/duct_line.yaml --planner random --humans 1..2 --robots 2 --trials 20 --json --threads ";
+      "evaluate scenarios/duct_line.yaml --planner random --humans 1..2 --robots 2 --trials 20 "
+      "--json --threads ";
   const Output one = linewright(command + "1");
   ASSERT_EQ(one.code, 0) << one.err;
   EXPECT_EQ(one.out, linewright(command + "2").out);
@@ -87,21 +89,25 @@ TEST(Cli, EvaluateIsTheSameForEveryNumberOfThreads) {
   ASSERT_EQ(json["rows"].size(), 2U);
   EXPECT_EQ(json["rows"][1]["humans"], 2);
   EXPECT_EQ(json["rows"][1]["robots"], 2);
-  for (const char* key : {"mean", "sd", "ci95"}) EXPECT_TRUE(json["rows"][0]["makespan"].contains(key));
-  for (const char* key : {"success_rate", "progress", "distance"}) EXPECT_TRUE(json["rows"][0].contains(key));
+  for (const char* key : {"mean", "sd", "ci95"})
+    EXPECT_TRUE(json["rows"][0]["makespan"].contains(key));
+  for (const char* key : {"success_rate", "progress", "distance"})
+    EXPECT_TRUE(json["rows"][0].contains(key));
   EXPECT_TRUE(json.contains("mean_makespan"));
   EXPECT_TRUE(json.contains("success_rate"));
 }
 
 TEST(Cli, EvaluateComparesTwoConfigurationsInPairs) {
   const Output output = linewright(
-      "evaluate scenarios/duct_line.yaml --humans 1 --robots 1 --trials 10 --versus +longest_path --json");
+      "evaluate scenarios/duct_line.yaml --humans 1 --robots 1 --trials 10 --versus +longest_path "
+      "--json");
   ASSERT_EQ(output.code, 0) << output.err;
   EXPECT_EQ(Json::parse(output.out)["paired"]["equal"], 10);
 }
 
 TEST(Cli, BenchPrintsSpeedAndTheSameFingerprintTwice) {
-  const std::string command = "bench scenarios/duct_line.yaml --humans 2 --robots 2 --seconds 0.05 --json";
+  const std::string command =
+      "bench scenarios/duct_line.yaml --humans 2 --robots 2 --seconds 0.05 --json";
   const Output output = linewright(command);
   ASSERT_EQ(output.code, 0) << output.err;
   const Json json = Json::parse(output.out);
@@ -176,18 +182,22 @@ INSTANTIATE_TEST_SUITE_P(
         Wrong{"simulate scenarios/duct_line.yaml --planner frist", "did you mean 'first'?"},
         Wrong{"simulate scenarios/duct_line.yaml --allocator sapp", "did you mean 'sap'?"},
         Wrong{"simulate scenarios/duct_line.yaml --planner priority:1,99", "no task '99'"},
-        Wrong{"simulate scenarios/duct_line.yaml --planner priority:cut_strait", "did you mean 'cut_straight'?"},
+        Wrong{"simulate scenarios/duct_line.yaml --planner priority:cut_strait",
+              "did you mean 'cut_straight'?"},
         Wrong{"simulate scenarios/duct_line.yaml --planner priority:1,1", "listed twice"},
         Wrong{"simulate scenarios/duct_line.yaml --planner first:3", "takes no '3'"},
         Wrong{"simulate scenarios/duct_line.yaml --humans 7", "made for 1 to 3"},
         Wrong{"simulate scenarios/duct_line.yaml --humans two", "is no count"},
-        Wrong{"simulate scenarios/duct_line.yaml --crew forklift=1", "no workers called 'forklift'"},
+        Wrong{"simulate scenarios/duct_line.yaml --crew forklift=1",
+              "no workers called 'forklift'"},
         Wrong{"simulate scenarios/duct_line.yaml --order 0", "order of 0"},
         Wrong{"simulate scenarios/duct_line.yaml --horizon -5", "horizon"},
         Wrong{"simulate scenarios/duct_line.yaml --planner replay", "--decisions FILE"},
         Wrong{"simulate scenarios/duct_line.yaml --decisions x.json", "--planner replay"},
-        Wrong{"simulate scenarios/duct_line.yaml --planner replay --decisions nowhere.json", "nowhere.json"},
-        Wrong{"simulate scenarios/duct_line.yaml --planner replay --decisions README.md", "event log"},
+        Wrong{"simulate scenarios/duct_line.yaml --planner replay --decisions nowhere.json",
+              "nowhere.json"},
+        Wrong{"simulate scenarios/duct_line.yaml --planner replay --decisions README.md",
+              "event log"},
         Wrong{"simulate scenarios/duct_line.yaml --log /proc/nowhere/x.jsonl", "cannot be written"},
         Wrong{"simulate scenarios/duct_line.yaml --gantt out/x.pdf", ".svg"},
         Wrong{"evaluate scenarios/duct_line.yaml --humans 3..1", "is empty"},

@@ -1,11 +1,11 @@
 // What every scenario, planner and allocator has to keep to, on all scenarios of the repository.
 
+#include <gtest/gtest.h>
+
 #include <map>
+#include <nlohmann/json.hpp>
 #include <set>
 #include <sstream>
-
-#include <gtest/gtest.h>
-#include <nlohmann/json.hpp>
 
 #include "linewright/allocation/allocator.hpp"
 #include "linewright/planning/episode.hpp"
@@ -136,7 +136,8 @@ class Audit {
         }
       }
     } else if (event["event"] == "join") {
-      if (bind && !busy_.insert(event["worker"]).second) problem = "joiner is busy at " + event.dump();
+      if (bind && !busy_.insert(event["worker"]).second)
+        problem = "joiner is busy at " + event.dump();
       bound_to_[event["n"]].push_back(event["worker"]);
     } else if (event["event"] == "release") {
       busy_.erase(event["worker"]);
@@ -163,12 +164,14 @@ class EveryScenario : public ::testing::TestWithParam<std::string> {};
 TEST_P(EveryScenario, ConservesTokensMachinesAndPeople) {
   const Line& line = shipped_line(GetParam());
   for (std::uint64_t seed = 1; seed <= 40; ++seed) {
-    const LoggedRun run = run_line(line, {}, seed, seed % 2 == 0 ? "random" : "first", "no_spatial");
+    const LoggedRun run =
+        run_line(line, {}, seed, seed % 2 == 0 ? "random" : "first", "no_spatial");
     const Audit audit(run.text);
     ASSERT_EQ(audit.problem, "") << "seed " << seed;
     const Order& order = line.scenario.line.order;
-    EXPECT_EQ(audit.count(line.scenario.line.places[order.finished_in.index()].name),
-              line.simulator->value(run.state, {VariableKind::kPlaceCount, order.finished_in.value}));
+    EXPECT_EQ(
+        audit.count(line.scenario.line.places[order.finished_in.index()].name),
+        line.simulator->value(run.state, {VariableKind::kPlaceCount, order.finished_in.value}));
   }
 }
 

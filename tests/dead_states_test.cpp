@@ -1,9 +1,10 @@
-#include <algorithm>
+#include "linewright/planning/dead_states.hpp"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "linewright/allocation/allocator.hpp"
-#include "linewright/planning/dead_states.hpp"
 #include "linewright/planning/episode.hpp"
 #include "linewright/planning/state_key.hpp"
 #include "tests/support.hpp"
@@ -15,9 +16,10 @@ TEST(DeadStates, OfTheDuctLineComeFromCollectingEarly) {
   const Simulator& simulator = *shipped_line("scenarios/duct_line.yaml").simulator;
   const DeadStateReport report = find_dead_states(simulator, crew_of({1, 1}), {.runs = 60});
   EXPECT_GT(report.stuck, 40U);  // 66 of 72 in the published runs
-  const auto early = std::find_if(report.found.begin(), report.found.end(), [&](const DeadState& dead) {
-    return simulator.line().tasks[dead.decisions.back().task.index()].name == "collect_ducts";
-  });
+  const auto early =
+      std::find_if(report.found.begin(), report.found.end(), [&](const DeadState& dead) {
+        return simulator.line().tasks[dead.decisions.back().task.index()].name == "collect_ducts";
+      });
   ASSERT_NE(early, report.found.end());
   EXPECT_TRUE(early->proven);
   EXPECT_EQ(early->decisions.size(), 1U);
@@ -38,8 +40,10 @@ TEST(DeadStates, AreDeadForEveryContinuationAndAliveBefore) {
 }
 
 TEST(DeadStates, DoNotExistWhereEveryRunFinishes) {
-  for (const char* file : {"scenarios/teaching/one_human_one_robot.yaml", "scenarios/teaching/kitting_cell.yaml"}) {
-    const DeadStateReport report = find_dead_states(*shipped_line(file).simulator, {}, {.runs = 30});
+  for (const char* file :
+       {"scenarios/teaching/one_human_one_robot.yaml", "scenarios/teaching/kitting_cell.yaml"}) {
+    const DeadStateReport report =
+        find_dead_states(*shipped_line(file).simulator, {}, {.runs = 30});
     EXPECT_EQ(report.stuck, 0U) << file;
     EXPECT_TRUE(report.found.empty()) << file;
   }

@@ -39,14 +39,16 @@ TEST(PublishedLine, TunedPriorityTakes798TicksOnAverage) {
 }
 
 TEST(PhysicalLine, FirstTaskRuleTakes918TicksOnAverage) {
-  EXPECT_NEAR(mean(means_by_crew("scenarios/duct_line.yaml", {"first", "first_idle"})), 918.0, 918.0 * 0.02);
+  EXPECT_NEAR(mean(means_by_crew("scenarios/duct_line.yaml", {"first", "first_idle"})), 918.0,
+              918.0 * 0.02);
 }
 
 TEST(PhysicalLine, SpatialAllocationWalksLessThanRandomAndFarthest) {
   const Scenario& scenario = shipped_line("scenarios/duct_line.yaml").scenario;
   const TrialPlan plan{.crews = {crew_of({3, 3})}, .trials = 100, .seed = 1, .threads = 2};
   const auto metres = [&](const char* allocator) {
-    return summarize(run_trials(scenario, {"first", allocator}, plan)[0], plan.crews[0]).distance_m.mean;
+    return summarize(run_trials(scenario, {"first", allocator}, plan)[0], plan.crews[0])
+        .distance_m.mean;
   };
   EXPECT_LT(metres("sap"), metres("no_spatial"));
   EXPECT_LT(metres("no_spatial"), metres("longest_path"));
@@ -54,7 +56,8 @@ TEST(PhysicalLine, SpatialAllocationWalksLessThanRandomAndFarthest) {
 
 TEST(Trials, DoNotDependOnTheNumberOfThreads) {
   const Scenario& scenario = shipped_line("scenarios/duct_line.yaml").scenario;
-  TrialPlan plan{.crews = {crew_of({1, 1}), crew_of({2, 3})}, .trials = 50, .seed = 4, .threads = 1};
+  TrialPlan plan{
+      .crews = {crew_of({1, 1}), crew_of({2, 3})}, .trials = 50, .seed = 4, .threads = 1};
   const auto one = run_trials(scenario, {"random", "no_spatial"}, plan);
   plan.threads = 4;
   const auto four = run_trials(scenario, {"random", "no_spatial"}, plan);

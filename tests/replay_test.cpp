@@ -1,12 +1,12 @@
-// Recorded runs of the published line, replayed decision by decision: the simulator must have the same
-// milestones at the same ticks.
+// Recorded runs of the published line, replayed decision by decision: the simulator must have the
+// same milestones at the same ticks.
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-
-#include <fmt/format.h>
-#include <gtest/gtest.h>
 
 #include "linewright/allocation/allocator.hpp"
 #include "linewright/evaluation/event_log_writer.hpp"
@@ -47,12 +47,13 @@ Replayed replay_file(const std::string& file, const Line& line) {
 class RecordedRuns : public ::testing::TestWithParam<std::string> {};
 
 TEST_P(RecordedRuns, HaveTheirMilestonesAndMakespan) {
-  const Replayed replayed = replay_file(GetParam(), shipped_line("scenarios/duct_line_published.yaml"));
+  const Replayed replayed =
+      replay_file(GetParam(), shipped_line("scenarios/duct_line_published.yaml"));
   Tick largest = 0;
   std::size_t exact = 0;
   for (const MilestoneComparison& milestone : replayed.milestones) {
-    ASSERT_TRUE(milestone.ours) << milestone.recorded.name << " " << milestone.recorded.label << " at "
-                                << milestone.recorded.tick << " never happened";
+    ASSERT_TRUE(milestone.ours) << milestone.recorded.name << " " << milestone.recorded.label
+                                << " at " << milestone.recorded.tick << " never happened";
     const Tick difference = std::abs(*milestone.ours - milestone.recorded.tick);
     largest = std::max(largest, difference);
     exact += difference == 0 ? 1 : 0;
@@ -68,11 +69,13 @@ TEST_P(RecordedRuns, HaveTheirMilestonesAndMakespan) {
   } else {
     EXPECT_EQ(state.status, RunStatus::kDeadlock);
   }
-  fmt::print("{:<28} makespan recorded {:>5} ours {:>9}   milestones {:>3}, exact {:>3}, largest difference {}\n",
-             std::filesystem::path(GetParam()).stem().string(),
-             replayed.recorded.makespan ? std::to_string(*replayed.recorded.makespan) : "-",
-             state.status == RunStatus::kFinished ? std::to_string(state.now) : "deadlock",
-             replayed.milestones.size(), exact, largest);
+  fmt::print(
+      "{:<28} makespan recorded {:>5} ours {:>9}   milestones {:>3}, exact {:>3}, largest "
+      "difference {}\n",
+      std::filesystem::path(GetParam()).stem().string(),
+      replayed.recorded.makespan ? std::to_string(*replayed.recorded.makespan) : "-",
+      state.status == RunStatus::kFinished ? std::to_string(state.now) : "deadlock",
+      replayed.milestones.size(), exact, largest);
 }
 
 INSTANTIATE_TEST_SUITE_P(All, RecordedRuns, ::testing::ValuesIn(recorded_files()),
@@ -86,9 +89,9 @@ TEST(Replay, OfAnEventLogGivesTheSameLog) {
   const std::string file = ::testing::TempDir() + "/linewright_replay.jsonl";
   write_file(file, run.text);
   const Replayed replayed = replay_file(file, line);
-  EXPECT_EQ(event_log_text(line.scenario, replayed.run.log,
-                           line.simulator->progress(replayed.run.state)),
-            run.text);
+  EXPECT_EQ(
+      event_log_text(line.scenario, replayed.run.log, line.simulator->progress(replayed.run.state)),
+      run.text);
   std::filesystem::remove(file);
 }
 

@@ -35,7 +35,7 @@ std::vector<std::string> shipped_scenarios() {
 }
 
 LoggedRun run_line(const Line& line, const RunOptions& options, std::uint64_t seed,
-             const std::string& planner, const std::string& allocator) {
+                   const std::string& planner, const std::string& allocator) {
   LoggedRun run;
   const Simulator& simulator = *line.simulator;
   const auto who_plans = PlannerRegistry::make(planner, simulator);

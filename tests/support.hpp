@@ -27,7 +27,7 @@ struct LoggedRun {
   std::string text;
 };
 LoggedRun run_line(const Line& line, const RunOptions& options, std::uint64_t seed,
-             const std::string& planner, const std::string& allocator);
+                   const std::string& planner, const std::string& allocator);
 
 /// Workers by kind: {humans, robots} for the duct line.
 RunOptions crew_of(std::vector<int> counts, int order = 0);

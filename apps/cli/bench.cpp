@@ -1,9 +1,9 @@
+#include <fmt/format.h>
+
 #include <chrono>
 #include <memory>
-#include <thread>
-
-#include <fmt/format.h>
 #include <nlohmann/json.hpp>
+#include <thread>
 
 #include "common.hpp"
 #include "linewright/allocation/allocator.hpp"
@@ -39,9 +39,10 @@ struct Speed {
 
 std::size_t bytes_of(const SimulationState& state) {
   const auto bytes = [](const auto& list) { return list.capacity() * sizeof(list[0]); };
-  return sizeof(state) + bytes(state.values) + bytes(state.dirty_operations) + bytes(state.dirty_tasks) +
-         bytes(state.selectable) + bytes(state.workers) + bytes(state.carriers) + bytes(state.machines) +
-         bytes(state.executions) + bytes(state.events) + bytes(state.waiting);
+  return sizeof(state) + bytes(state.values) + bytes(state.dirty_operations) +
+         bytes(state.dirty_tasks) + bytes(state.selectable) + bytes(state.workers) +
+         bytes(state.carriers) + bytes(state.machines) + bytes(state.executions) +
+         bytes(state.events) + bytes(state.waiting);
 }
 
 /// Whole episodes one after the other on this thread, with mask and allocation, without a log.
@@ -51,7 +52,8 @@ void measure_episodes(const Simulator& simulator, const BenchArguments& argument
   const RunOptions crew = crews_of(arguments.run, simulator.line(), false).at(0);
   std::vector<RunSetup> setups;
   for (std::uint64_t i = 0; i < 64; ++i) {
-    setups.push_back(sample_setup(simulator.line(), crew, RandomStream::derive(arguments.run.seed, "setup", i).next()));
+    setups.push_back(sample_setup(simulator.line(), crew,
+                                  RandomStream::derive(arguments.run.seed, "setup", i).next()));
   }
   SimulationState state;
   std::int64_t decisions = 0;
@@ -60,7 +62,8 @@ void measure_episodes(const Simulator& simulator, const BenchArguments& argument
   double elapsed = 0.0;
   while (elapsed < arguments.seconds && !interrupted().requested()) {
     for (const RunSetup& setup : setups) {
-      run_episode(simulator, state, setup, static_cast<std::uint64_t>(episodes), *planner, *allocator);
+      run_episode(simulator, state, setup, static_cast<std::uint64_t>(episodes), *planner,
+                  *allocator);
       decisions += state.decisions;
       ++episodes;
     }
@@ -87,14 +90,17 @@ void measure_copy(const Simulator& simulator, const BenchArguments& arguments, S
 }
 
 void measure_threads(const Scenario& scenario, const BenchArguments& arguments, Speed& speed) {
-  TrialPlan plan{.crews = {crews_of(arguments.run, scenario.line, false).at(0)},
-                 .trials = std::max<std::size_t>(64, static_cast<std::size_t>(speed.episodes_per_second * arguments.seconds / 4)),
-                 .seed = arguments.run.seed,
-                 .threads = 1};
+  TrialPlan plan{
+      .crews = {crews_of(arguments.run, scenario.line, false).at(0)},
+      .trials = std::max<std::size_t>(
+          64, static_cast<std::size_t>(speed.episodes_per_second * arguments.seconds / 4)),
+      .seed = arguments.run.seed,
+      .threads = 1};
   const auto time = [&](std::size_t threads) {
     plan.threads = threads;
     const auto start = Clock::now();
-    const auto results = run_trials(scenario, arguments.run.configuration, plan, {}, &interrupted());
+    const auto results =
+        run_trials(scenario, arguments.run.configuration, plan, {}, &interrupted());
     return seconds_since(start) / static_cast<double>(std::max<std::size_t>(1, results.size()));
   };
   speed.threads = std::max(1U, std::thread::hardware_concurrency());
@@ -103,7 +109,8 @@ void measure_threads(const Scenario& scenario, const BenchArguments& arguments, 
 }
 
 /// FNV-1a over the event logs of a fixed set of runs: changes exactly when behaviour changes.
-std::string fingerprint(const Scenario& scenario, const Simulator& simulator, const RunArguments& run) {
+std::string fingerprint(const Scenario& scenario, const Simulator& simulator,
+                        const RunArguments& run) {
   std::uint64_t hash = 0xcbf29ce484222325ULL;
   SimulationState state;
   EventLog log;
@@ -113,7 +120,8 @@ std::string fingerprint(const Scenario& scenario, const Simulator& simulator, co
       const auto allocator = make_allocator(allocator_name, simulator);
       for (std::uint64_t seed = 1; seed <= 5; ++seed) {
         RunOptions options{.workers = {}, .order = run.order, .horizon = run.horizon};
-        run_episode(simulator, state, sample_setup(simulator.line(), options, seed), seed, *planner, *allocator, &log);
+        run_episode(simulator, state, sample_setup(simulator.line(), options, seed), seed, *planner,
+                    *allocator, &log);
         for (const char c : event_log_text(scenario, log, simulator.progress(state))) {
           hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3ULL;
         }
@@ -152,7 +160,8 @@ int bench(const BenchArguments& arguments) {
       {"episodes per second, one core", fmt::format("{:.0f}", speed.episodes_per_second)},
       {"copy of a state", fmt::format("{:.0f} ns", speed.copy_ns)},
       {"memory of a state", fmt::format("{} bytes", speed.state_bytes)},
-      {fmt::format("evaluate, {} threads over one", speed.threads), fmt::format("{:.2f} x", speed.speedup)},
+      {fmt::format("evaluate, {} threads over one", speed.threads),
+       fmt::format("{:.2f} x", speed.speedup)},
       {"fingerprint", print_of},
   }));
   return kOk;
@@ -163,16 +172,20 @@ int bench(const BenchArguments& arguments) {
 Command add_bench(CLI::App& app) {
   auto arguments = std::make_shared<BenchArguments>();
   arguments->run.scenario = "scenarios/duct_line.yaml";
-  app.add_option("scenario", arguments->run.scenario, "Scenario file")->capture_default_str()->type_name("SCENARIO");
+  app.add_option("scenario", arguments->run.scenario, "Scenario file")
+      ->capture_default_str()
+      ->type_name("SCENARIO");
   add_run_options(app, arguments->run);
   add_configuration_options(app, arguments->run);
   app.add_option("--seconds", arguments->seconds, "How long to measure")
       ->capture_default_str()
       ->check(CLI::Range(0.05, 3600.0))
       ->type_name("S");
-  app.footer("Speed is that of whole runs with action mask and allocation, without a log. The fingerprint is a hash\n"
-             "of the event logs of 40 fixed runs: it changes exactly when behaviour changes.\n"
-             "Example:\n  linewright bench scenarios/duct_line.yaml --humans 2 --robots 2");
+  app.footer(
+      "Speed is that of whole runs with action mask and allocation, without a log. The fingerprint "
+      "is a hash\n"
+      "of the event logs of 40 fixed runs: it changes exactly when behaviour changes.\n"
+      "Example:\n  linewright bench scenarios/duct_line.yaml --humans 2 --robots 2");
   return [arguments] { return bench(*arguments); };
 }
 

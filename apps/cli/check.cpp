@@ -1,6 +1,6 @@
-#include <memory>
-
 #include <fmt/format.h>
+
+#include <memory>
 #include <nlohmann/json.hpp>
 
 #include "common.hpp"
@@ -28,18 +28,23 @@ struct CrewFindings {
 
 const char* verdict_text(Liveness::Verdict verdict) {
   switch (verdict) {
-    case Liveness::Verdict::kAlive: return "can be finished";
-    case Liveness::Verdict::kDead: return "can never be finished";
-    case Liveness::Verdict::kUnknown: return "was never finished";
+    case Liveness::Verdict::kAlive:
+      return "can be finished";
+    case Liveness::Verdict::kDead:
+      return "can never be finished";
+    case Liveness::Verdict::kUnknown:
+      return "was never finished";
   }
   return "";
 }
 
-CrewFindings examine(const Simulator& simulator, const RunOptions& crew, const CheckArguments& arguments) {
+CrewFindings examine(const Simulator& simulator, const RunOptions& crew,
+                     const CheckArguments& arguments) {
   CrewFindings findings;
   const RunSetup setup = sample_setup(simulator.line(), crew, arguments.run.seed);
   std::vector<std::int32_t> counts;
-  for (const auto& start : setup.worker_start) counts.push_back(static_cast<std::int32_t>(start.size()));
+  for (const auto& start : setup.worker_start)
+    counts.push_back(static_cast<std::int32_t>(start.size()));
   findings.crew = crew_name(simulator.line(), counts);
   SimulationState state;
   simulator.reset(state, setup);
@@ -61,9 +66,11 @@ Json dead_state_json(const LineModel& line, const DeadState& dead) {
               {"decisions", Json::array()},
               {"reasons", Json::object()}};
   for (const auto& decision : dead.decisions) {
-    object["decisions"].push_back({{"tick", decision.tick}, {"task", line.tasks[decision.task.index()].name}});
+    object["decisions"].push_back(
+        {{"tick", decision.tick}, {"task", line.tasks[decision.task.index()].name}});
   }
-  for (std::size_t t = 0; t < dead.reasons.size(); ++t) object["reasons"][line.tasks[t].name] = dead.reasons[t];
+  for (std::size_t t = 0; t < dead.reasons.size(); ++t)
+    object["reasons"][line.tasks[t].name] = dead.reasons[t];
   return object;
 }
 
@@ -72,8 +79,10 @@ std::string dead_state_text(const LineModel& line, const DeadState& dead, std::i
   std::string text = fmt::format(
       "  dead state: after decision {}, {} at tick {}, the order of {} can never be finished\n",
       dead.decisions.size(), name(dead.decisions.back()), dead.decisions.back().tick, order);
-  text += dead.proven ? fmt::format("    proven: all {} states that can follow were searched\n", dead.states_searched)
-                      : fmt::format("    not proven: no way to finish among {} states searched\n", dead.states_searched);
+  text += dead.proven ? fmt::format("    proven: all {} states that can follow were searched\n",
+                                    dead.states_searched)
+                      : fmt::format("    not proven: no way to finish among {} states searched\n",
+                                    dead.states_searched);
   text += fmt::format("    seen in {} of the runs; decisions so far:", dead.occurrences);
   constexpr std::size_t kShown = 5;  // the last ones tell most; --json has all
   const std::size_t first = dead.decisions.size() > kShown ? dead.decisions.size() - kShown : 0;
@@ -88,7 +97,8 @@ std::string dead_state_text(const LineModel& line, const DeadState& dead, std::i
   return text;
 }
 
-/// The diagnostics as JSON on standard output, for `--json`; the text goes to standard error as always.
+/// The diagnostics as JSON on standard output, for `--json`; the text goes to standard error as
+/// always.
 Scenario load_reporting(const CheckArguments& arguments) {
   try {
     return load_scenario(arguments.run.scenario);
@@ -112,10 +122,14 @@ int check(const CheckArguments& arguments) {
   const Scenario scenario = load_reporting(arguments);
   const LineModel& line = scenario.line;
   const Simulator simulator(std::make_shared<const LineModel>(line));
-  std::string text = fmt::format("{}: valid: {} tasks, {} operations, {} machines, {} places, {} stations\n",
-                                 arguments.run.scenario, line.tasks.size(), line.operations.size(),
-                                 line.machines.size(), line.places.size(), line.stations.size());
-  Json object{{"valid", true}, {"line", line.name}, {"crews", Json::array()}, {"dead_states", Json::array()}};
+  std::string text =
+      fmt::format("{}: valid: {} tasks, {} operations, {} machines, {} places, {} stations\n",
+                  arguments.run.scenario, line.tasks.size(), line.operations.size(),
+                  line.machines.size(), line.places.size(), line.stations.size());
+  Json object{{"valid", true},
+              {"line", line.name},
+              {"crews", Json::array()},
+              {"dead_states", Json::array()}};
   const std::int32_t order = arguments.run.order.value_or(line.order.quantity);
   const std::vector<RunOptions> crews = crews_of(arguments.run, line, true);
   bool found = false;
@@ -131,9 +145,11 @@ int check(const CheckArguments& arguments) {
                                {"start", verdict_text(findings.start.verdict)},
                                {"runs", findings.report.runs},
                                {"stuck", findings.report.stuck}});
-    text += fmt::format("{}: an order of {} {}", findings.crew, order, verdict_text(findings.start.verdict));
+    text += fmt::format("{}: an order of {} {}", findings.crew, order,
+                        verdict_text(findings.start.verdict));
     text += dead ? ", whatever is decided\n"
-                 : fmt::format("; {} of {} random runs come to a stand\n", findings.report.stuck, findings.report.runs);
+                 : fmt::format("; {} of {} random runs come to a stand\n", findings.report.stuck,
+                               findings.report.runs);
     for (const DeadState& state : findings.report.found) {
       text += dead_state_text(line, state, order);
       Json entry = dead_state_json(line, state);
@@ -147,9 +163,10 @@ int check(const CheckArguments& arguments) {
     return kInterrupted;
   }
   if (impossible) {
-    report(fmt::format("{}: error: an order of {} can never be finished\n  hint: look at stocks, capacities and "
-                       "conditions; the tables above say which crew",
-                       arguments.run.scenario, order));
+    report(fmt::format(
+        "{}: error: an order of {} can never be finished\n  hint: look at stocks, capacities and "
+        "conditions; the tables above say which crew",
+        arguments.run.scenario, order));
     return kBadInput;
   }
   return found && arguments.strict ? kFound : kOk;
@@ -161,15 +178,19 @@ Command add_check(CLI::App& app) {
   auto arguments = std::make_shared<CheckArguments>();
   add_scenario_option(app, arguments->run);
   add_run_options(app, arguments->run);
-  app.get_option("--humans")->description("Numbers of humans to check: 2, 1..3 or 1,3 (default: all)");
-  app.get_option("--robots")->description("Numbers of robots to check: 2, 1..3 or 1,3 (default: all)");
-  app.add_option("--runs", arguments->options.runs, "Random runs per crew that look for dead states; 0: none")
+  app.get_option("--humans")
+      ->description("Numbers of humans to check: 2, 1..3 or 1,3 (default: all)");
+  app.get_option("--robots")
+      ->description("Numbers of robots to check: 2, 1..3 or 1,3 (default: all)");
+  app.add_option("--runs", arguments->options.runs,
+                 "Random runs per crew that look for dead states; 0: none")
       ->capture_default_str()
       ->check(CLI::Range(std::size_t{0}, std::size_t{1'000'000}))
       ->type_name("N");
   app.add_flag("--strict", arguments->strict, "Exit with 1 when a dead state was found");
-  app.footer("A dead state is a reachable state from which the order can never be finished.\n"
-             "Example:\n  linewright check scenarios/duct_line.yaml --humans 1 --robots 1");
+  app.footer(
+      "A dead state is a reachable state from which the order can never be finished.\n"
+      "Example:\n  linewright check scenarios/duct_line.yaml --humans 1 --robots 1");
   return [arguments] { return check(*arguments); };
 }
 

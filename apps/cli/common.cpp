@@ -1,5 +1,6 @@
 #include "common.hpp"
 
+#include <fmt/format.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -8,8 +9,6 @@
 #include <chrono>
 #include <cstdio>
 #include <utility>
-
-#include <fmt/format.h>
 
 #include "linewright/allocation/allocator.hpp"
 #include "linewright/base/diagnostic.hpp"
@@ -20,14 +19,16 @@ namespace {
 
 std::int64_t now_ms() {
   using std::chrono::steady_clock;
-  return std::chrono::duration_cast<std::chrono::milliseconds>(steady_clock::now().time_since_epoch())
+  return std::chrono::duration_cast<std::chrono::milliseconds>(
+             steady_clock::now().time_since_epoch())
       .count();
 }
 
 std::int32_t parse_count(const std::string& option, std::string_view text) {
   std::int32_t value = 0;
   const auto parsed = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (parsed.ec != std::errc() || parsed.ptr != text.data() + text.size() || value < 0 || value > 64) {
+  if (parsed.ec != std::errc() || parsed.ptr != text.data() + text.size() || value < 0 ||
+      value > 64) {
     throw ScenarioError({}, fmt::format("{}: '{}' is no count", option, text),
                         "write a number, a range like 1..3 or a list like 1,3");
   }
@@ -59,8 +60,9 @@ std::size_t kind_named(const LineModel& line, const std::string& option, const s
     if (line.worker_kinds[k].name == name) return k;
     names.push_back(line.worker_kinds[k].name);
   }
-  throw ScenarioError({}, fmt::format("{}: line '{}' has no workers called '{}'", option, line.name, name),
-                      name_hint(name, names) + "; use --crew KIND=N");
+  throw ScenarioError(
+      {}, fmt::format("{}: line '{}' has no workers called '{}'", option, line.name, name),
+      name_hint(name, names) + "; use --crew KIND=N");
 }
 
 }  // namespace
@@ -84,7 +86,8 @@ void add_run_options(CLI::App& app, RunArguments& arguments) {
       ->delimiter(';');
   app.add_option("--order", arguments.order, "Quantity to produce (default: the scenario's)")
       ->type_name("N");
-  app.add_option("--horizon", arguments.horizon, "Ticks after which a run fails (default: the scenario's)")
+  app.add_option("--horizon", arguments.horizon,
+                 "Ticks after which a run fails (default: the scenario's)")
       ->type_name("TICKS");
   app.add_option("--seed", arguments.seed, "Seed of start positions and of random choices")
       ->capture_default_str()
@@ -98,19 +101,20 @@ void add_configuration_options(CLI::App& app, RunArguments& arguments) {
     planners += (planners.empty() ? "" : ", ") + entry.name;
     if (!entry.takes.empty()) planners += ":" + entry.takes;
   }
-  app.add_option("--planner", arguments.configuration.planner,
-                 "Who chooses the task: " + planners)
+  app.add_option("--planner", arguments.configuration.planner, "Who chooses the task: " + planners)
       ->capture_default_str()
       ->type_name("NAME");
-  app.add_option("--allocator", arguments.configuration.allocator,
-                 fmt::format("Who chooses the people and robots: {}", fmt::join(allocator_names(), ", ")))
+  app.add_option(
+         "--allocator", arguments.configuration.allocator,
+         fmt::format("Who chooses the people and robots: {}", fmt::join(allocator_names(), ", ")))
       ->capture_default_str()
       ->type_name("NAME");
 }
 
 std::vector<RunOptions> crews_of(const RunArguments& arguments, const LineModel& line, bool fill) {
   std::vector<std::vector<std::int32_t>> counts(line.worker_kinds.size());
-  const auto set = [&](const std::string& option, const std::string& kind, const std::string& text) {
+  const auto set = [&](const std::string& option, const std::string& kind,
+                       const std::string& text) {
     if (!text.empty()) counts[kind_named(line, option, kind)] = parse_counts(option, text);
   };
   set("--humans", "human", arguments.humans);
@@ -118,14 +122,17 @@ std::vector<RunOptions> crews_of(const RunArguments& arguments, const LineModel&
   for (const std::string& entry : arguments.crew) {
     const std::size_t equals = entry.find('=');
     if (equals == std::string::npos) {
-      throw ScenarioError({}, fmt::format("--crew: '{}' is no KIND=N", entry), "write --crew robot=2");
+      throw ScenarioError({}, fmt::format("--crew: '{}' is no KIND=N", entry),
+                          "write --crew robot=2");
     }
     set("--crew", entry.substr(0, equals), entry.substr(equals + 1));
   }
-  std::vector<RunOptions> crews{RunOptions{.workers = {}, .order = arguments.order, .horizon = arguments.horizon}};
+  std::vector<RunOptions> crews{
+      RunOptions{.workers = {}, .order = arguments.order, .horizon = arguments.horizon}};
   for (std::size_t k = 0; k < counts.size(); ++k) {
     if (counts[k].empty() && fill) {
-      for (std::int32_t n = line.worker_kinds[k].count.min; n <= line.worker_kinds[k].count.max; ++n) {
+      for (std::int32_t n = line.worker_kinds[k].count.min; n <= line.worker_kinds[k].count.max;
+           ++n) {
         counts[k].push_back(n);
       }
     }
@@ -147,8 +154,8 @@ std::string crew_name(const LineModel& line, const std::vector<std::int32_t>& co
   std::string name;
   for (std::size_t k = 0; k < counts.size(); ++k) {
     const std::string& kind = line.worker_kinds[k].name;
-    name += fmt::format("{}{}", static_cast<char>(std::toupper(static_cast<unsigned char>(kind[0]))),
-                        counts[k]);
+    name += fmt::format(
+        "{}{}", static_cast<char>(std::toupper(static_cast<unsigned char>(kind[0]))), counts[k]);
   }
   return name;
 }
@@ -175,7 +182,8 @@ void ProgressBar::update(std::size_t done, std::size_t total) {
   if (!shown_ || total == 0 || now - started_ms_ < 300 || now - drawn_ms_ < 100) return;
   drawn_ms_ = now;
   const double share = static_cast<double>(done) / static_cast<double>(total);
-  const double left = share > 0.0 ? static_cast<double>(now - started_ms_) / 1000.0 * (1.0 - share) / share : 0.0;
+  const double left =
+      share > 0.0 ? static_cast<double>(now - started_ms_) / 1000.0 * (1.0 - share) / share : 0.0;
   const auto filled = static_cast<std::size_t>(share * 30.0);
   std::fputs(fmt::format("\r{} [{:<30}] {:3.0f} %  {}/{}  {:.0f} s left\033[K", what_,
                          std::string(filled, '#'), share * 100.0, done, total, left)
@@ -193,7 +201,8 @@ std::string text_table(const std::vector<std::vector<std::string>>& rows) {
   for (const auto& row : rows) {
     std::string line;
     for (std::size_t c = 0; c < row.size(); ++c) {
-      line += c == 0 ? fmt::format("{:<{}}", row[c], widths[c]) : fmt::format("  {:>{}}", row[c], widths[c]);
+      line += c == 0 ? fmt::format("{:<{}}", row[c], widths[c])
+                     : fmt::format("  {:>{}}", row[c], widths[c]);
     }
     text += line.substr(0, line.find_last_not_of(' ') + 1) + "\n";
   }

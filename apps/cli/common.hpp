@@ -1,12 +1,11 @@
 #pragma once
 
+#include <CLI/CLI.hpp>
 #include <cstdint>
 #include <functional>
 #include <optional>
 #include <string>
 #include <vector>
-
-#include <CLI/CLI.hpp>
 
 #include "linewright/base/cancel.hpp"
 #include "linewright/evaluation/trials.hpp"
@@ -33,7 +32,7 @@ using Command = std::function<int()>;
 /// The options that say which line is run with whom.
 struct RunArguments {
   std::string scenario;
-  std::string humans;   ///< "2", "1..3", "1,3"; empty: the scenario's
+  std::string humans;  ///< "2", "1..3", "1,3"; empty: the scenario's
   std::string robots;
   std::vector<std::string> crew;  ///< "KIND=2", for any kind of worker
   std::optional<std::int32_t> order;
@@ -47,9 +46,10 @@ void add_scenario_option(CLI::App& app, RunArguments& arguments);
 void add_run_options(CLI::App& app, RunArguments& arguments);
 void add_configuration_options(CLI::App& app, RunArguments& arguments);
 
-/// The crews that the options name: every combination of the counts, in order; the first kind varies
-/// slowest. Kinds that are not named keep the scenario's count (none in the RunOptions) unless `fill` is
-/// set: then their whole range is run through. Throws ScenarioError for unknown kinds and bad counts.
+/// The crews that the options name: every combination of the counts, in order; the first kind
+/// varies slowest. Kinds that are not named keep the scenario's count (none in the RunOptions)
+/// unless `fill` is set: then their whole range is run through. Throws ScenarioError for unknown
+/// kinds and bad counts.
 [[nodiscard]] std::vector<RunOptions> crews_of(const RunArguments& arguments, const LineModel& line,
                                                bool fill);
 

@@ -1,8 +1,8 @@
-#include <memory>
-#include <string_view>
-
 #include <fmt/format.h>
+
+#include <memory>
 #include <nlohmann/json.hpp>
+#include <string_view>
 
 #include "common.hpp"
 #include "linewright/base/diagnostic.hpp"
@@ -62,9 +62,9 @@ Evaluation evaluate_one(const Scenario& scenario, const Configuration& configura
                         const TrialPlan& plan) {
   Evaluation evaluation{.configuration = configuration, .trials = {}, .rows = {}};
   ProgressBar bar(name_of(configuration));
-  evaluation.trials =
-      run_trials(scenario, configuration, plan,
-                 [&](std::size_t done, std::size_t total) { bar.update(done, total); }, &interrupted());
+  evaluation.trials = run_trials(
+      scenario, configuration, plan,
+      [&](std::size_t done, std::size_t total) { bar.update(done, total); }, &interrupted());
   for (std::size_t c = 0; c < evaluation.trials.size(); ++c) {
     evaluation.rows.push_back(summarize(evaluation.trials[c], plan.crews[c]));
   }
@@ -83,7 +83,8 @@ Json row_json(const LineModel& line, const TrialSummary& row) {
   object["makespan"] = spread_json(row.makespan);
   object["success_rate"] = row.success_rate;
   object["progress"] = row.progress;
-  object["distance"] = {{"metres", spread_json(row.distance_m)}, {"ticks", spread_json(row.distance_ticks)}};
+  object["distance"] = {{"metres", spread_json(row.distance_m)},
+                        {"ticks", spread_json(row.distance_ticks)}};
   object["decisions"] = row.decisions;
   object["workers"] = Json::array();
   std::size_t id = 0;
@@ -98,7 +99,8 @@ Json row_json(const LineModel& line, const TrialSummary& row) {
     }
   }
   object["machines"] = Json::object();
-  for (std::size_t m = 0; m < row.machines.size(); ++m) object["machines"][line.machines[m].name] = row.machines[m];
+  for (std::size_t m = 0; m < row.machines.size(); ++m)
+    object["machines"][line.machines[m].name] = row.machines[m];
   return object;
 }
 
@@ -130,33 +132,37 @@ Json paired_json(const PairedComparison& comparison) {
           {"slower", comparison.slower}};
 }
 
-
 std::string percent(double share) { return fmt::format("{:.0f} %", share * 100.0); }
-
 
 std::string table_of(const LineModel& line, const Evaluation& evaluation) {
   std::vector<std::vector<std::string>> rows{
       {"crew", "makespan", "ci95", "sd", "success", "progress", "metres", "ticks", "decisions"}};
   const auto add = [&](std::string crew, const TrialSummary& row) {
     rows.push_back({std::move(crew), fmt::format("{:.2f}", row.makespan.mean),
-                    fmt::format("{:.2f}", row.makespan.ci95), fmt::format("{:.2f}", row.makespan.sd),
-                    fmt::format("{:.3f}", row.success_rate), fmt::format("{:.3f}", row.progress),
-                    fmt::format("{:.0f}", row.distance_m.mean), fmt::format("{:.0f}", row.distance_ticks.mean),
+                    fmt::format("{:.2f}", row.makespan.ci95),
+                    fmt::format("{:.2f}", row.makespan.sd), fmt::format("{:.3f}", row.success_rate),
+                    fmt::format("{:.3f}", row.progress), fmt::format("{:.0f}", row.distance_m.mean),
+                    fmt::format("{:.0f}", row.distance_ticks.mean),
                     fmt::format("{:.1f}", row.decisions)});
   };
   for (const TrialSummary& row : evaluation.rows) add(crew_name(line, row.crew), row);
-  rows.push_back({"mean", fmt::format("{:.2f}", evaluation.makespan()), "", "",
-                  fmt::format("{:.3f}", evaluation.success_rate()), fmt::format("{:.3f}", evaluation.progress()),
-                  fmt::format("{:.0f}", evaluation.mean([](const TrialSummary& r) { return r.distance_m.mean; })),
-                  fmt::format("{:.0f}", evaluation.mean([](const TrialSummary& r) { return r.distance_ticks.mean; })),
-                  fmt::format("{:.1f}", evaluation.mean([](const TrialSummary& r) { return r.decisions; }))});
+  rows.push_back(
+      {"mean", fmt::format("{:.2f}", evaluation.makespan()), "", "",
+       fmt::format("{:.3f}", evaluation.success_rate()),
+       fmt::format("{:.3f}", evaluation.progress()),
+       fmt::format("{:.0f}",
+                   evaluation.mean([](const TrialSummary& r) { return r.distance_m.mean; })),
+       fmt::format("{:.0f}",
+                   evaluation.mean([](const TrialSummary& r) { return r.distance_ticks.mean; })),
+       fmt::format("{:.1f}", evaluation.mean([](const TrialSummary& r) { return r.decisions; }))});
   return text_table(rows);
 }
 
 std::string utilisation_of(const LineModel& line, const Evaluation& evaluation) {
   std::string text;
   for (const TrialSummary& row : evaluation.rows) {
-    std::vector<std::vector<std::string>> rows{{crew_name(line, row.crew), "work", "travel", "wait", "idle"}};
+    std::vector<std::vector<std::string>> rows{
+        {crew_name(line, row.crew), "work", "travel", "wait", "idle"}};
     std::size_t id = 0;
     for (std::size_t k = 0; k < row.crew.size(); ++k) {
       for (std::int32_t i = 0; i < row.crew[k]; ++i, ++id) {
@@ -176,8 +182,9 @@ std::string utilisation_of(const LineModel& line, const Evaluation& evaluation) 
 std::string csv_of(const LineModel& line, const std::vector<Evaluation>& evaluations) {
   std::string text = "planner,allocator,crew";
   for (const WorkerKind& kind : line.worker_kinds) text += "," + kind.name + "s";
-  text += ",trials,makespan_mean,makespan_sd,makespan_ci95,success_rate,progress,distance_m_mean,"
-          "distance_ticks_mean,decisions_mean\n";
+  text +=
+      ",trials,makespan_mean,makespan_sd,makespan_ci95,success_rate,progress,distance_m_mean,"
+      "distance_ticks_mean,decisions_mean\n";
   for (const Evaluation& evaluation : evaluations) {
     for (const TrialSummary& row : evaluation.rows) {
       text += fmt::format("\"{}\",{},{}", evaluation.configuration.planner,
@@ -192,7 +199,8 @@ std::string csv_of(const LineModel& line, const std::vector<Evaluation>& evaluat
 }
 
 std::string paired_text(const LineModel& line, const Evaluation& first, const Evaluation& second) {
-  std::vector<std::vector<std::string>> rows{{"crew", "difference", "ci95", "faster", "equal", "slower"}};
+  std::vector<std::vector<std::string>> rows{
+      {"crew", "difference", "ci95", "faster", "equal", "slower"}};
   const auto add = [&](std::string crew, const PairedComparison& c) {
     rows.push_back({std::move(crew), fmt::format("{:+.2f}", c.difference.mean),
                     fmt::format("{:.2f}", c.difference.ci95), std::to_string(c.faster),
@@ -220,7 +228,8 @@ int evaluate(const EvaluateArguments& arguments) {
   }
   std::vector<Evaluation> evaluations;
   for (const Configuration& configuration : configurations) {
-    if (!interrupted().requested()) evaluations.push_back(evaluate_one(scenario, configuration, plan));
+    if (!interrupted().requested())
+      evaluations.push_back(evaluate_one(scenario, configuration, plan));
   }
   const bool paired = evaluations.size() > 1;
   if (arguments.run.json) {
@@ -242,7 +251,8 @@ int evaluate(const EvaluateArguments& arguments) {
   } else {
     for (const Evaluation& evaluation : evaluations) {
       if (evaluation.rows.empty()) continue;  // interrupted before the first crew was complete
-      print(fmt::format("{}{}, {}: {} trials per crew\n", &evaluation == &evaluations[0] ? "" : "\n", line.name,
+      print(fmt::format("{}{}, {}: {} trials per crew\n",
+                        &evaluation == &evaluations[0] ? "" : "\n", line.name,
                         name_of(evaluation.configuration), arguments.trials) +
             table_of(line, evaluation) +
             (arguments.utilisation ? utilisation_of(line, evaluation) : std::string()));
@@ -263,25 +273,33 @@ Command add_evaluate(CLI::App& app) {
   auto arguments = std::make_shared<EvaluateArguments>();
   add_scenario_option(app, arguments->run);
   add_run_options(app, arguments->run);
-  app.get_option("--humans")->description("Numbers of workers of kind 'human': 2, 1..3 or 1,3")->type_name("N..M");
-  app.get_option("--robots")->description("Numbers of workers of kind 'robot': 2, 1..3 or 1,3")->type_name("N..M");
+  app.get_option("--humans")
+      ->description("Numbers of workers of kind 'human': 2, 1..3 or 1,3")
+      ->type_name("N..M");
+  app.get_option("--robots")
+      ->description("Numbers of workers of kind 'robot': 2, 1..3 or 1,3")
+      ->type_name("N..M");
   add_configuration_options(app, arguments->run);
   app.add_option("--trials", arguments->trials, "Runs per crew, each from other start positions")
       ->capture_default_str()
       ->check(CLI::Range(std::size_t{1}, std::size_t{10'000'000}))
       ->type_name("N");
-  app.add_option("--threads", arguments->threads, "Threads; 0: one per core. Results do not depend on it")
+  app.add_option("--threads", arguments->threads,
+                 "Threads; 0: one per core. Results do not depend on it")
       ->capture_default_str()
       ->check(CLI::Range(std::size_t{0}, std::size_t{1024}))
       ->type_name("N");
   app.add_option("--versus", arguments->versus,
-                 "A second configuration, compared trial by trial: PLANNER, PLANNER+ALLOCATOR or +ALLOCATOR")
+                 "A second configuration, compared trial by trial: PLANNER, PLANNER+ALLOCATOR or "
+                 "+ALLOCATOR")
       ->type_name("SPEC");
-  app.add_flag("--utilisation", arguments->utilisation, "Also print what every worker and machine was busy with");
+  app.add_flag("--utilisation", arguments->utilisation,
+               "Also print what every worker and machine was busy with");
   app.add_option("--csv", arguments->csv, "Write the rows here")->type_name("FILE.csv");
-  app.footer("Failed runs count with the horizon as their makespan; success and progress stand beside.\n"
-             "Example:\n  linewright evaluate scenarios/duct_line.yaml --planner first --humans 1..3 "
-             "--robots 1..3 --trials 100 --versus +no_spatial");
+  app.footer(
+      "Failed runs count with the horizon as their makespan; success and progress stand beside.\n"
+      "Example:\n  linewright evaluate scenarios/duct_line.yaml --planner first --humans 1..3 "
+      "--robots 1..3 --trials 100 --versus +no_spatial");
   return [arguments] { return evaluate(*arguments); };
 }
 

@@ -1,12 +1,12 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <csignal>
 #include <exception>
 #include <string>
 #include <utility>
 #include <vector>
-
-#include <CLI/CLI.hpp>
-#include <fmt/format.h>
 
 #include "common.hpp"
 #include "linewright/base/diagnostic.hpp"
@@ -33,8 +33,9 @@ void refuse_unknown(int argc, char** argv,
   std::vector<std::string> names;
   for (const auto& command : commands) names.push_back(command.first->get_name());
   if (std::find(names.begin(), names.end(), argv[1]) != names.end()) return;
-  throw linewright::ScenarioError({}, fmt::format("there is no command '{}'", argv[1]),
-                                  linewright::name_hint(argv[1], names) + "; linewright --help shows them");
+  throw linewright::ScenarioError(
+      {}, fmt::format("there is no command '{}'", argv[1]),
+      linewright::name_hint(argv[1], names) + "; linewright --help shows them");
 }
 
 /// For every option on the command line that the command does not have: the nearest one it has.
@@ -48,7 +49,8 @@ void suggest_options(int argc, char** argv,
     }
     for (int i = 2; i < argc; ++i) {
       const std::string word = std::string(argv[i]).substr(0, std::string(argv[i]).find('='));
-      if (!word.starts_with("--") || std::find(names.begin(), names.end(), word) != names.end()) continue;
+      if (!word.starts_with("--") || std::find(names.begin(), names.end(), word) != names.end())
+        continue;
       linewright::cli::report(fmt::format("{}: {}", word, linewright::name_hint(word, names)));
     }
   }
@@ -62,13 +64,15 @@ int main(int argc, char** argv) {
   std::signal(SIGTERM, on_signal);
   std::signal(SIGPIPE, SIG_IGN);
 
-  CLI::App app("Plans, allocates and simulates production lines of people, robots and machines.\n"
-               "Start with: linewright simulate scenarios/duct_line.yaml --humans 2 --robots 2");
+  CLI::App app(
+      "Plans, allocates and simulates production lines of people, robots and machines.\n"
+      "Start with: linewright simulate scenarios/duct_line.yaml --humans 2 --robots 2");
   app.name("linewright");
   app.set_version_flag("--version", std::string("linewright ") + LINEWRIGHT_VERSION);
   app.require_subcommand(1);
-  app.footer("Exit codes: 0 done, 1 check --strict found something, 2 bad input, 3 internal error, "
-             "130 interrupted.\nStandard output carries results, standard error everything else.");
+  app.footer(
+      "Exit codes: 0 done, 1 check --strict found something, 2 bad input, 3 internal error, "
+      "130 interrupted.\nStandard output carries results, standard error everything else.");
   const std::vector<std::pair<const char*, const char*>> subcommands{
       {"simulate", "Run one production order: summary, event log, Gantt chart"},
       {"evaluate", "Many runs over crews and start positions: makespan, success, distance"},

@@ -1,7 +1,7 @@
-#include <sstream>
-
 #include <fmt/format.h>
+
 #include <nlohmann/json.hpp>
+#include <sstream>
 
 #include "common.hpp"
 #include "linewright/allocation/allocator.hpp"
@@ -38,12 +38,16 @@ struct Outcome {
 
 const char* status_text(RunStatus status) {
   switch (status) {
-    case RunStatus::kFinished: return "finished";
-    case RunStatus::kDeadlock: return "deadlock";
-    case RunStatus::kHorizon: return "horizon reached";
+    case RunStatus::kFinished:
+      return "finished";
+    case RunStatus::kDeadlock:
+      return "deadlock";
+    case RunStatus::kHorizon:
+      return "horizon reached";
     case RunStatus::kDecision:
     case RunStatus::kJoin:
-    case RunStatus::kRunning: return "interrupted";
+    case RunStatus::kRunning:
+      return "interrupted";
   }
   return "";
 }
@@ -54,8 +58,8 @@ Outcome play(const Simulator& simulator, const SimulateArguments& arguments) {
   const RunSetup setup = sample_setup(simulator.line(), crew, arguments.run.seed);
   const auto planner = PlannerRegistry::make(arguments.run.configuration.planner, simulator);
   const auto allocator = make_allocator(arguments.run.configuration.allocator, simulator);
-  run_episode(simulator, outcome.state, setup, arguments.run.seed, *planner, *allocator, &outcome.log,
-              &interrupted());
+  run_episode(simulator, outcome.state, setup, arguments.run.seed, *planner, *allocator,
+              &outcome.log, &interrupted());
   return outcome;
 }
 
@@ -70,8 +74,8 @@ Outcome play_recorded(const Simulator& simulator, const SimulateArguments& argum
   if (arguments.run.order) setup.order = *arguments.run.order;
   if (arguments.run.horizon) setup.horizon = *arguments.run.horizon;
   const auto fallback = make_allocator("first_idle", simulator);
-  outcome.replayed = replay(simulator, outcome.state, setup, outcome.recorded->decisions, *fallback,
-                            &outcome.log);
+  outcome.replayed =
+      replay(simulator, outcome.state, setup, outcome.recorded->decisions, *fallback, &outcome.log);
   outcome.milestones = compare_milestones(*outcome.recorded, simulator.line(), outcome.log);
   return outcome;
 }
@@ -87,8 +91,8 @@ std::optional<Tick> largest_difference(const Outcome& outcome) {
 }
 
 std::size_t missing_milestones(const Outcome& outcome) {
-  return static_cast<std::size_t>(std::count_if(outcome.milestones.begin(), outcome.milestones.end(),
-                                                [](const auto& m) { return !m.ours; }));
+  return static_cast<std::size_t>(std::count_if(
+      outcome.milestones.begin(), outcome.milestones.end(), [](const auto& m) { return !m.ours; }));
 }
 
 Json replay_json(const Outcome& outcome, const LineModel& line) {
@@ -107,8 +111,10 @@ Json replay_json(const Outcome& outcome, const LineModel& line) {
   }
   object["taken"] = taken;
   object["deviations"] = std::move(late);
-  object["recorded_finished"] = outcome.recorded->finished ? Json(*outcome.recorded->finished) : Json();
-  object["recorded_makespan"] = outcome.recorded->makespan ? Json(*outcome.recorded->makespan) : Json();
+  object["recorded_finished"] =
+      outcome.recorded->finished ? Json(*outcome.recorded->finished) : Json();
+  object["recorded_makespan"] =
+      outcome.recorded->makespan ? Json(*outcome.recorded->makespan) : Json();
   const auto largest = largest_difference(outcome);
   object["milestones"] = {{"compared", outcome.milestones.size() - missing_milestones(outcome)},
                           {"missing", missing_milestones(outcome)},
@@ -117,10 +123,14 @@ Json replay_json(const Outcome& outcome, const LineModel& line) {
 }
 
 Json shares_json(const WorkerShares& shares) {
-  return {{"work", shares.work}, {"travel", shares.travel}, {"wait", shares.wait}, {"idle", shares.idle}};
+  return {{"work", shares.work},
+          {"travel", shares.travel},
+          {"wait", shares.wait},
+          {"idle", shares.idle}};
 }
 
-Json to_json(const Simulator& simulator, const SimulateArguments& arguments, const Outcome& outcome) {
+Json to_json(const Simulator& simulator, const SimulateArguments& arguments,
+             const Outcome& outcome) {
   const LineModel& line = simulator.line();
   const TrialResult result = measure(outcome.state, simulator.progress(outcome.state));
   const bool finished = outcome.state.status == RunStatus::kFinished;
@@ -141,7 +151,8 @@ Json to_json(const Simulator& simulator, const SimulateArguments& arguments, con
   }
   object["workers"] = Json::object();
   const auto names = worker_names(line, outcome.log.setup);
-  for (std::size_t w = 0; w < names.size(); ++w) object["workers"][names[w]] = shares_json(result.workers[w]);
+  for (std::size_t w = 0; w < names.size(); ++w)
+    object["workers"][names[w]] = shares_json(result.workers[w]);
   object["machines"] = Json::object();
   for (std::size_t m = 0; m < line.machines.size(); ++m) {
     object["machines"][line.machines[m].name] = result.machines[m];
@@ -171,14 +182,16 @@ std::string replay_text(const Outcome& outcome, const LineModel& line) {
                     recorded && ours ? fmt::format("{:+}", *ours - *recorded) : "-"});
   };
   const bool finished = outcome.state.status == RunStatus::kFinished;
-  row("makespan", outcome.recorded->makespan, finished ? std::optional(outcome.state.now) : std::nullopt);
+  row("makespan", outcome.recorded->makespan,
+      finished ? std::optional(outcome.state.now) : std::nullopt);
   std::string reasons;
   for (std::size_t i = 0; i < outcome.replayed.decisions.size(); ++i) {
     const ReplayedDecision& decision = outcome.replayed.decisions[i];
     if (decision.taken == decision.recorded) continue;
     const std::string& task = line.tasks[outcome.recorded->decisions[i].task.index()].name;
     row(fmt::format("decision {} {}", i + 1, task), decision.recorded, decision.taken);
-    reasons += fmt::format("  decision {} at tick {}: {}\n", i + 1, decision.recorded, decision.refusal);
+    reasons +=
+        fmt::format("  decision {} at tick {}: {}\n", i + 1, decision.recorded, decision.refusal);
   }
   std::size_t exact = 0;
   for (const MilestoneComparison& milestone : outcome.milestones) {
@@ -186,14 +199,15 @@ std::string replay_text(const Outcome& outcome, const LineModel& line) {
       ++exact;
       continue;
     }
-    row(fmt::format("{} {}", milestone.recorded.name, milestone.recorded.label), milestone.recorded.tick,
-        milestone.ours);
+    row(fmt::format("{} {}", milestone.recorded.name, milestone.recorded.label),
+        milestone.recorded.tick, milestone.ours);
   }
   std::string text = text_table(rows);
-  text += fmt::format("{} of {} decisions taken, {} of {} milestones exact\n",
-                      std::count_if(outcome.replayed.decisions.begin(), outcome.replayed.decisions.end(),
-                                    [](const auto& d) { return d.taken.has_value(); }),
-                      outcome.recorded->decisions.size(), exact, outcome.milestones.size());
+  text += fmt::format(
+      "{} of {} decisions taken, {} of {} milestones exact\n",
+      std::count_if(outcome.replayed.decisions.begin(), outcome.replayed.decisions.end(),
+                    [](const auto& d) { return d.taken.has_value(); }),
+      outcome.recorded->decisions.size(), exact, outcome.milestones.size());
   if (!reasons.empty()) text += "Decisions that were not possible at their tick:\n" + reasons;
   return text;
 }
@@ -207,8 +221,8 @@ std::string to_text(const Simulator& simulator, const SimulateArguments& argumen
       {"line", line.name},
       {"order", fmt::format("{} {}", outcome.log.setup.order, line.order.product)},
       {"status", status_text(outcome.state.status)},
-      {finished ? "makespan" : "stopped at",
-       fmt::format("{} ticks ({:.1f} min)", outcome.state.now, outcome.state.now * line.tick_s / 60.0)},
+      {finished ? "makespan" : "stopped at", fmt::format("{} ticks ({:.1f} min)", outcome.state.now,
+                                                         outcome.state.now * line.tick_s / 60.0)},
       {"progress", percent(result.progress)},
       {"decisions", std::to_string(result.decisions)},
       {"distance", fmt::format("{:.0f} m", static_cast<double>(result.distance_mm) / 1000.0)},
@@ -227,7 +241,8 @@ std::string to_text(const Simulator& simulator, const SimulateArguments& argumen
   }
   if (rows.size() > 1) text += "\n" + text_table(rows);
   if (outcome.recorded) text += "\n" + replay_text(outcome, line);
-  if (outcome.state.status == RunStatus::kDeadlock) text += "\n" + deadlock_text(simulator, outcome);
+  if (outcome.state.status == RunStatus::kDeadlock)
+    text += "\n" + deadlock_text(simulator, outcome);
   if (!arguments.log.empty() || !arguments.gantt.empty()) text += "\n";
   if (!arguments.log.empty()) text += "event log    " + arguments.log + "\n";
   if (!arguments.gantt.empty()) text += "Gantt chart  " + arguments.gantt + "\n";
@@ -250,9 +265,11 @@ int simulate(const SimulateArguments& arguments) {
   const Simulator simulator(std::make_shared<const LineModel>(scenario.line));
   const bool recorded = arguments.run.configuration.planner == "replay";
   if (!recorded && !arguments.decisions.empty()) {
-    throw ScenarioError({}, "--decisions is only read by the planner 'replay'", "add --planner replay");
+    throw ScenarioError({}, "--decisions is only read by the planner 'replay'",
+                        "add --planner replay");
   }
-  const Outcome outcome = recorded ? play_recorded(simulator, arguments) : play(simulator, arguments);
+  const Outcome outcome =
+      recorded ? play_recorded(simulator, arguments) : play(simulator, arguments);
   if (!outcome.state.ended()) {
     report("interrupted: nothing was written");
     return kInterrupted;
@@ -270,16 +287,19 @@ Command add_simulate(CLI::App& app) {
   add_scenario_option(app, arguments->run);
   add_run_options(app, arguments->run);
   add_configuration_options(app, arguments->run);
-  app.get_option("--planner")->description(app.get_option("--planner")->get_description() +
-                                           ", or replay with --decisions");
+  app.get_option("--planner")
+      ->description(app.get_option("--planner")->get_description() +
+                    ", or replay with --decisions");
   app.add_option("--decisions", arguments->decisions,
                  "Recorded decisions to replay (docs/formats/decisions.md), or an event log")
       ->type_name("FILE");
   app.add_option("--log", arguments->log, "Write the event log here (docs/formats/event_log.md)")
       ->type_name("FILE.jsonl");
-  app.add_option("--gantt", arguments->gantt, "Write the Gantt chart here")->type_name("FILE.html|FILE.svg");
-  app.footer("Example:\n  linewright simulate scenarios/duct_line.yaml --humans 2 --robots 2 "
-             "--log out/run.jsonl --gantt out/run.html");
+  app.add_option("--gantt", arguments->gantt, "Write the Gantt chart here")
+      ->type_name("FILE.html|FILE.svg");
+  app.footer(
+      "Example:\n  linewright simulate scenarios/duct_line.yaml --humans 2 --robots 2 "
+      "--log out/run.jsonl --gantt out/run.html");
   return [arguments] { return simulate(*arguments); };
 }
 

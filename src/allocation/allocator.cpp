@@ -1,11 +1,11 @@
 #include "linewright/allocation/allocator.hpp"
 
+#include <fmt/format.h>
+
 #include <array>
 #include <optional>
 #include <utility>
 #include <variant>
-
-#include <fmt/format.h>
 
 #include "linewright/base/diagnostic.hpp"
 #include "linewright/base/random.hpp"
@@ -17,7 +17,8 @@ namespace {
 struct Group {
   std::size_t worker_slot = 0;
   std::optional<std::size_t> carrier_slot;
-  std::optional<StationId> goal;  ///< where the worker goes first (with the carrier, if it fetches one)
+  std::optional<StationId>
+      goal;  ///< where the worker goes first (with the carrier, if it fetches one)
 };
 
 /// One way to fill a group and the way it costs.
@@ -37,7 +38,8 @@ Group first_errand(const Task& task, std::size_t slot) {
     for (const ActorSequence& sequence : step.sequences) {
       if (sequence.slot != slot) continue;
       for (const Action& action : sequence.actions) {
-        if (const auto* fetch = std::get_if<FetchAction>(&action.what); fetch && !group.carrier_slot) {
+        if (const auto* fetch = std::get_if<FetchAction>(&action.what);
+            fetch && !group.carrier_slot) {
           group.carrier_slot = fetch->carrier_slot;
         } else if (const auto* go = std::get_if<GoAction>(&action.what)) {
           group.goal = go->station;
@@ -123,7 +125,8 @@ class RuleAllocator final : public Allocator {
 
   Candidate candidate(const SimulationState& state, const Group& group, std::size_t worker,
                       std::int16_t carrier) const {
-    Candidate made{.worker = static_cast<std::int16_t>(worker), .carrier = carrier, .way = {0, 0.0}};
+    Candidate made{
+        .worker = static_cast<std::int16_t>(worker), .carrier = carrier, .way = {0, 0.0}};
     const WorkerId id(worker);
     const auto kind = static_cast<std::size_t>(state.workers[worker].kind);
     if (carrier < 0) {
@@ -152,8 +155,10 @@ class RuleAllocator final : public Allocator {
         return a.way.ticks != b.way.ticks ? a.way.ticks < b.way.ticks : a.way.metres < b.way.metres;
       case Rule::kFarthest:
         return a.way.ticks != b.way.ticks ? a.way.ticks > b.way.ticks : a.way.metres > b.way.metres;
-      case Rule::kFirstIdle: return a.carrier == b.carrier && a.straight_m < b.straight_m;
-      case Rule::kRandom: return false;  // chosen by reservoir in choose()
+      case Rule::kFirstIdle:
+        return a.carrier == b.carrier && a.straight_m < b.straight_m;
+      case Rule::kRandom:
+        return false;  // chosen by reservoir in choose()
     }
     return false;
   }

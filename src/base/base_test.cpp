@@ -1,6 +1,6 @@
-#include <set>
-
 #include <gtest/gtest.h>
+
+#include <set>
 
 #include "linewright/base/diagnostic.hpp"
 #include "linewright/base/geometry.hpp"
@@ -53,13 +53,15 @@ TEST(RandomStream, UniformStaysBelowOne) {
 }
 
 TEST(Diagnostic, NamesThePlaceAndTheWayOut) {
-  const Diagnostic diagnostic{.file = "a.yaml", .line = 3, .column = 7, .message = "bad", .hint = "good"};
+  const Diagnostic diagnostic{
+      .file = "a.yaml", .line = 3, .column = 7, .message = "bad", .hint = "good"};
   EXPECT_EQ(to_string(diagnostic), "a.yaml:3:7: error: bad\n  hint: good");
   EXPECT_EQ(to_string({.file = "a.yaml", .message = "bad", .hint = ""}), "a.yaml: error: bad");
 }
 
 TEST(Diagnostic, AnErrorCarriesAllOfThem) {
-  const ScenarioError error({{.file = "a", .message = "one", .hint = ""}, {.file = "a", .message = "two", .hint = ""}});
+  const ScenarioError error(
+      {{.file = "a", .message = "one", .hint = ""}, {.file = "a", .message = "two", .hint = ""}});
   EXPECT_STREQ(error.what(), "a: error: one\na: error: two");
   EXPECT_EQ(error.diagnostics().size(), 2U);
 }

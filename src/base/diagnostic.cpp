@@ -1,10 +1,10 @@
 #include "linewright/base/diagnostic.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <numeric>
 #include <utility>
-
-#include <fmt/format.h>
 
 namespace linewright {
 namespace {
@@ -25,8 +25,7 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
     std::size_t diagonal = std::exchange(row[0], i + 1);
     for (std::size_t j = 0; j < b.size(); ++j) {
       const std::size_t substituted = diagonal + (a[i] == b[j] ? 0 : 1);
-      diagonal = std::exchange(row[j + 1],
-                               std::min({row[j + 1] + 1, row[j] + 1, substituted}));
+      diagonal = std::exchange(row[j + 1], std::min({row[j + 1] + 1, row[j] + 1, substituted}));
     }
   }
   return row.back();

@@ -1,12 +1,12 @@
 #include "linewright/evaluation/event_log_writer.hpp"
 
+#include <fmt/format.h>
+
 #include <filesystem>
 #include <fstream>
 #include <map>
-#include <system_error>
-
-#include <fmt/format.h>
 #include <nlohmann/json.hpp>
+#include <system_error>
 
 #include "linewright/base/diagnostic.hpp"
 
@@ -19,7 +19,8 @@ std::vector<std::string> numbered(const std::vector<std::string>& kinds,
                                   const std::vector<std::vector<StationId>>& start) {
   std::vector<std::string> names;
   for (std::size_t k = 0; k < start.size(); ++k) {
-    for (std::size_t i = 0; i < start[k].size(); ++i) names.push_back(fmt::format("{}.{}", kinds[k], i));
+    for (std::size_t i = 0; i < start[k].size(); ++i)
+      names.push_back(fmt::format("{}.{}", kinds[k], i));
   }
   return names;
 }
@@ -57,10 +58,12 @@ Json operation_list(const LineModel& line) {
     Json entry{{"name", operation.name}, {"takes", operation.takes}};
     if (operation.recovery > 0) entry["recovery"] = operation.recovery;
     const auto machines = [&](const char* key, const std::vector<MachineUse>& uses) {
-      for (const MachineUse& use : uses) entry[key].push_back(line.machines[use.machine.index()].name);
+      for (const MachineUse& use : uses)
+        entry[key].push_back(line.machines[use.machine.index()].name);
     };
     const auto tokens = [&](const char* key, const std::vector<TokenFlow>& flows) {
-      for (const TokenFlow& flow : flows) entry[key][line.places[flow.place.index()].name] = flow.count;
+      for (const TokenFlow& flow : flows)
+        entry[key][line.places[flow.place.index()].name] = flow.count;
     };
     machines("uses", operation.uses);
     machines("claims", operation.claims);
@@ -75,20 +78,26 @@ Json operation_list(const LineModel& line) {
 Json hall(const HallMap& map) {
   Json obstacles = Json::array();
   for (const Obstacle& obstacle : map.obstacles) {
-    obstacles.push_back({{"name", obstacle.name},
-                         {"rectangle", {obstacle.x0_m, obstacle.x1_m, obstacle.y0_m, obstacle.y1_m}}});
+    obstacles.push_back(
+        {{"name", obstacle.name},
+         {"rectangle", {obstacle.x0_m, obstacle.x1_m, obstacle.y0_m, obstacle.y1_m}}});
   }
-  return {{"bounds", {map.x0_m, map.x1_m, map.y0_m, map.y1_m}}, {"obstacles", std::move(obstacles)}};
+  return {{"bounds", {map.x0_m, map.x1_m, map.y0_m, map.y1_m}},
+          {"obstacles", std::move(obstacles)}};
 }
 
 const char* status_name(RunStatus status) {
   switch (status) {
-    case RunStatus::kFinished: return "finished";
-    case RunStatus::kDeadlock: return "deadlock";
-    case RunStatus::kHorizon: return "horizon";
+    case RunStatus::kFinished:
+      return "finished";
+    case RunStatus::kDeadlock:
+      return "deadlock";
+    case RunStatus::kHorizon:
+      return "horizon";
     case RunStatus::kDecision:
     case RunStatus::kJoin:
-    case RunStatus::kRunning: return "running";
+    case RunStatus::kRunning:
+      return "running";
   }
   return "running";
 }
@@ -166,7 +175,9 @@ class Writer {
   Json entry(const LogEvent& event) const {
     Json out{{"t", event.tick}};
     switch (event.type) {
-      case LogEvent::Type::kDecision: decision(out, event); break;
+      case LogEvent::Type::kDecision:
+        decision(out, event);
+        break;
       case LogEvent::Type::kJoin:
         named(out, "join", event);
         out["role"] = role_of(event.b, static_cast<std::size_t>(event.c));
@@ -176,8 +187,12 @@ class Writer {
         out["n"] = event.b;
         out["task"] = task_name(event.a);
         break;
-      case LogEvent::Type::kRelease: named(out, "release", event); break;
-      case LogEvent::Type::kGo: go(out, event); break;
+      case LogEvent::Type::kRelease:
+        named(out, "release", event);
+        break;
+      case LogEvent::Type::kGo:
+        go(out, event);
+        break;
       case LogEvent::Type::kPickUp:
         named(out, "pick_up", event);
         out["carrier"] = carriers_[index(event.c)];
@@ -262,7 +277,8 @@ class Writer {
     out["arrives"] = event.until;
     out["metres"] = travel.leg(from, to).metres;
     if (from != to && !travel.path(from, to).empty()) {
-      for (const Point2 point : travel.path(from, to)) out["path"].push_back({point.x_m, point.y_m});
+      for (const Point2 point : travel.path(from, to))
+        out["path"].push_back({point.x_m, point.y_m});
     }
   }
 

@@ -1,12 +1,12 @@
 #include "linewright/evaluation/gantt.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cctype>
 #include <cmath>
 #include <iterator>
 #include <utility>
-
-#include <fmt/format.h>
 
 #include "gantt_rows.hpp"
 #include "linewright/base/diagnostic.hpp"
@@ -20,9 +20,10 @@ void RowBuilder::add(GanttInterval interval, const std::string& after_ticks) {
   interval.end = std::min(interval.end, last_);
   if (interval.begin >= interval.end) return;
   if (budget_ == 0) {
-    throw ScenarioError("", fmt::format("the run has more than {} intervals: too many to draw",
-                                        kMostGanttIntervals),
-                        "draw a shorter run");
+    throw ScenarioError(
+        "",
+        fmt::format("the run has more than {} intervals: too many to draw", kMostGanttIntervals),
+        "draw a shorter run");
   }
   --budget_;
   filled_ = interval.end;
@@ -85,7 +86,8 @@ std::string crew_text(const LogHeader& header) {
   for (const LogCarrier& carrier : header.carriers) count(carrier.kind);
   std::string text;
   for (const auto& [kind, number] : counts) {
-    text += fmt::format("{}{} {}{}", text.empty() ? "" : ", ", number, kind, number == 1 ? "" : "s");
+    text +=
+        fmt::format("{}{} {}{}", text.empty() ? "" : ", ", number, kind, number == 1 ? "" : "s");
   }
   return text.empty() ? "nobody" : text;
 }
@@ -93,8 +95,10 @@ std::string crew_text(const LogHeader& header) {
 std::string duration(double seconds) {
   if (seconds < 60.0) return fmt::format("{:.3g} s", seconds);
   const double whole = std::round(seconds);
-  if (whole < 3600.0) return fmt::format("{:.0f} min {:.0f} s", std::floor(whole / 60), std::fmod(whole, 60));
-  return fmt::format("{:.0f} h {:.0f} min", std::floor(whole / 3600), std::floor(std::fmod(whole, 3600) / 60));
+  if (whole < 3600.0)
+    return fmt::format("{:.0f} min {:.0f} s", std::floor(whole / 60), std::fmod(whole, 60));
+  return fmt::format("{:.0f} h {:.0f} min", std::floor(whole / 3600),
+                     std::floor(std::fmod(whole, 3600) / 60));
 }
 
 std::string outcome(const LogDocument& log) {
@@ -107,14 +111,23 @@ std::string outcome(const LogDocument& log) {
     case RunStatus::kDeadlock:
       return fmt::format("deadlock at tick {}, {:.0f} % of the order done", end.tick, percent);
     default:
-      return fmt::format("not finished within {} ticks, {:.0f} % of the order done", end.tick, percent);
+      return fmt::format("not finished within {} ticks, {:.0f} % of the order done", end.tick,
+                         percent);
   }
+}
+
+std::string ending(const LoggedEnd& end) {
+  const char* status = end.status == RunStatus::kFinished   ? "finished"
+                       : end.status == RunStatus::kDeadlock ? "deadlock"
+                                                            : "horizon";
+  return fmt::format("{} {}", status, end.tick);
 }
 
 std::string members(const LogDocument& log, const LoggedDecision& decision) {
   std::string text;
   for (const LoggedRole& role : decision.crew) {
-    for (const WorkerId worker : role.workers) text += " · " + log.header.workers[worker.index()].id;
+    for (const WorkerId worker : role.workers)
+      text += " · " + log.header.workers[worker.index()].id;
     for (const CarrierId carrier : role.carriers) {
       text += " · " + log.header.carriers[carrier.index()].id;
     }
@@ -128,8 +141,8 @@ void add_marks(const LogDocument& log, GanttChart& chart) {
     if (const auto* decision = std::get_if<LoggedDecision>(&event.what)) {
       const GanttTask& task = chart.tasks[decision->task.index()];
       chart.decisions.push_back({tick, decision->n, decision->task.index(),
-                                 fmt::format("decision {} · tick {} · {}{}", decision->n, event.tick,
-                                             task.name, members(log, *decision))});
+                                 fmt::format("decision {} · tick {} · {}{}", decision->n,
+                                             event.tick, task.name, members(log, *decision))});
     } else if (const auto* milestone = std::get_if<LoggedMilestone>(&event.what)) {
       chart.milestones.push_back({tick, milestone->name});
     }
@@ -149,11 +162,12 @@ GanttChart make_gantt(const LogDocument& log) {
   chart.title = log.header.line;
   chart.tick_s = log.header.tick_s;
   chart.last = std::max<Tick>(1, log.end.tick);
-  chart.makespan = log.end.makespan;
+  chart.finished = log.end.status == RunStatus::kFinished;
+  chart.ending = ending(log.end);
   for (const LogTask& task : log.header.tasks) chart.tasks.push_back({task.number, task.name});
   chart.facts = {crew_text(log.header),
-                 fmt::format("order: {} × {}", log.header.quantity, log.header.product), outcome(log),
-                 fmt::format("{} decisions", log.decisions.size())};
+                 fmt::format("order: {} × {}", log.header.quantity, log.header.product),
+                 outcome(log), fmt::format("{} decisions", log.decisions.size())};
   std::size_t budget = kMostGanttIntervals;
   chart.sections = by_kind(log, gantt::worker_rows(log, budget));
   add_machines(gantt::machine_rows(log, budget), chart.sections);

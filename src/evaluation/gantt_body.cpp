@@ -1,12 +1,12 @@
 #include "gantt_body.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <optional>
 #include <utility>
 #include <vector>
-
-#include <fmt/format.h>
 
 #include "gantt_labels.hpp"
 #include "gantt_style.hpp"
@@ -46,11 +46,14 @@ std::pair<double, double> bar_extent(GanttKind kind, double row) {
 char texture(GanttKind kind) {
   switch (kind) {
     case GanttKind::kWork:
-    case GanttKind::kWorking: return 's';
+    case GanttKind::kWorking:
+      return 's';
     case GanttKind::kTravel:
-    case GanttKind::kRecovering: return 'h';
+    case GanttKind::kRecovering:
+      return 'h';
     case GanttKind::kWaiting:
-    case GanttKind::kHeld: return 'o';
+    case GanttKind::kHeld:
+      return 'o';
   }
   return 's';
 }
@@ -77,14 +80,15 @@ class BodyPainter {
     const double bottom = y_;
     paint_axis(bottom);
     paint_decisions();
-    paint_finish(bottom);
+    paint_ending(bottom);
     const double width = gutter_ + options_.plot_width + kBusyColumn;
     const double height = bottom + kFootHeight;
     // The plot is a viewport of its own, so that zooming never draws over the names. It is a little
     // wider than the run, for the marks at its ends.
     std::string svg = back_ + names_;
     svg += fmt::format(
-        "<svg class=\"plot\" x=\"{0}\" y=\"0\" width=\"{1}\" height=\"{2}\" viewBox=\"{3} 0 {1} {2}\">\n"
+        "<svg class=\"plot\" x=\"{0}\" y=\"0\" width=\"{1}\" height=\"{2}\" viewBox=\"{3} 0 {1} "
+        "{2}\">\n"
         "{4}{5}{6}</svg>\n",
         coordinate(gutter_ - kOverhang), coordinate(options_.plot_width + 2.0 * kOverhang),
         coordinate(height), coordinate(-kOverhang), grid_, bars_, marks_);
@@ -96,7 +100,8 @@ class BodyPainter {
     return options_.plot_width * static_cast<double>(tick) / static_cast<double>(chart_.last);
   }
 
-  void text(std::string& into, const char* style, double at_x, double at_y, const std::string& words) {
+  void text(std::string& into, const char* style, double at_x, double at_y,
+            const std::string& words) {
     into += fmt::format("<text class=\"{}\" x=\"{}\" y=\"{}\">{}</text>\n", style, coordinate(at_x),
                         coordinate(at_y), escaped(words));
   }
@@ -109,8 +114,9 @@ class BodyPainter {
   }
 
   void at_right_edge(double at_y, const std::string& words) {
-    names_ += fmt::format("<text class=\"small end muted\" x=\"100%\" dx=\"-6\" y=\"{}\">{}</text>\n",
-                          coordinate(at_y), escaped(words));
+    names_ +=
+        fmt::format("<text class=\"small end muted\" x=\"100%\" dx=\"-6\" y=\"{}\">{}</text>\n",
+                    coordinate(at_y), escaped(words));
   }
 
   void paint_section(const GanttSection& section) {
@@ -131,8 +137,9 @@ class BodyPainter {
     }
     const double base = y_ + height / 2.0 + 4.0;
     const std::string name = markup::shortened(row.name, gutter_ - 16.0, kNameSize);
-    names_ += fmt::format("<text class=\"end ink\" x=\"{}\" y=\"{}\">{}<title>{}</title></text>\n",
-                          coordinate(gutter_ - 10.0), coordinate(base), escaped(name), escaped(row.name));
+    names_ +=
+        fmt::format("<text class=\"end ink\" x=\"{}\" y=\"{}\">{}<title>{}</title></text>\n",
+                    coordinate(gutter_ - 10.0), coordinate(base), escaped(name), escaped(row.name));
     const double busy = 100.0 * row.busy_ticks() / chart_.last;
     at_right_edge(base - 0.5, fmt::format("{:.0f} %", busy));
     bars_ += fmt::format("<g class=\"row\" data-name=\"{}\">\n", escaped(row.name));
@@ -150,8 +157,8 @@ class BodyPainter {
         "<rect class=\"bar {}{}\" x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" rx=\"1.5\" "
         "data-b=\"{}\" data-e=\"{}\"{}><title>{}</title></rect>\n",
         texture(interval.kind), style, coordinate(x(interval.begin)), coordinate(y_ + top),
-        coordinate(width), coordinate(height), interval.begin, interval.end, task_attribute(interval.task),
-        escaped(interval.text));
+        coordinate(width), coordinate(height), interval.begin, interval.end,
+        task_attribute(interval.task), escaped(interval.text));
   }
 
   [[nodiscard]] static std::string task_attribute(std::optional<std::size_t> task) {
@@ -159,20 +166,22 @@ class BodyPainter {
   }
 
   void paint_label(const BarLabel& label, double row_height) {
-    const std::string number =
-        label.task && !is_machine(label.kind) ? std::to_string(chart_.tasks[*label.task].number) : "";
+    const std::string number = label.task && !is_machine(label.kind)
+                                   ? std::to_string(chart_.tasks[*label.task].number)
+                                   : "";
     const std::string words = fitting(label.words, number, x(label.end) - x(label.begin));
     if (words.empty() && !options_.all_labels) return;
     const std::string style = label.task ? std::to_string(style_of(*label.task)) : "n";
-    const std::string ink = texture(label.kind) == 's' ? "l" + style
+    const std::string ink = texture(label.kind) == 's'         ? "l" + style
                             : label.kind == GanttKind::kTravel ? "halo"
                                                                : "ink";
     bars_ += fmt::format("<text class=\"name {}\" x=\"{}\" y=\"{}\"", ink,
                          coordinate((x(label.begin) + x(label.end)) / 2.0),
                          coordinate(y_ + row_height / 2.0 + 3.6));
     if (options_.all_labels) {
-      bars_ += fmt::format(" data-b=\"{}\" data-e=\"{}\" data-l=\"{}\" data-s=\"{}\"{}", label.begin,
-                           label.end, escaped(label.words), number, task_attribute(label.task));
+      bars_ +=
+          fmt::format(" data-b=\"{}\" data-e=\"{}\" data-l=\"{}\" data-s=\"{}\"{}", label.begin,
+                      label.end, escaped(label.words), number, task_attribute(label.task));
     }
     bars_ += fmt::format(">{}</text>\n", escaped(words));
   }
@@ -197,15 +206,17 @@ class BodyPainter {
     text(names_, "small end muted", gutter_ - 10.0, 13.0, "tick");
     at_right_edge(40.0, "busy");
     rule(bottom);
-    grid_ += fmt::format("<g class=\"ticks\" data-bottom=\"{}\" data-top=\"18\">\n", coordinate(bottom));
+    grid_ +=
+        fmt::format("<g class=\"ticks\" data-bottom=\"{}\" data-top=\"18\">\n", coordinate(bottom));
     const Tick step = grid_step(chart_.last, options_.plot_width);
     for (std::int64_t tick = 0; tick <= chart_.last; tick += step) {
       const double at = x(static_cast<Tick>(tick));
-      grid_ += fmt::format("<path class=\"grid\" d=\"M{} 18V{}\"/>\n", coordinate(at), coordinate(bottom));
+      grid_ += fmt::format("<path class=\"grid\" d=\"M{} 18V{}\"/>\n", coordinate(at),
+                           coordinate(bottom));
       // The end of the run has a label of its own.
-      const bool crowded = chart_.makespan && options_.plot_width - at < 86.0;
+      const bool crowded = !chart_.ending.empty() && options_.plot_width - at < 86.0;
       if (!crowded) text(grid_, "small mid muted", at, 13.0, std::to_string(tick));
-      if (!crowded) text(grid_, "small mid muted", at, bottom + 14.0, std::to_string(tick));
+      text(grid_, "small mid muted", at, bottom + 14.0, std::to_string(tick));
     }
     grid_ += "</g>\n";
   }
@@ -227,21 +238,22 @@ class BodyPainter {
       const bool room = at - half >= free_from;
       if (room) free_from = at + half + 3.0;
       if (room || options_.all_labels) {
-        marks_ += fmt::format("<text class=\"small mid muted\" x=\"{}\" y=\"32\" data-b=\"{}\">{}</text>\n",
-                              coordinate(at), decision.tick, number);
+        marks_ += fmt::format(
+            "<text class=\"small mid muted\" x=\"{}\" y=\"32\" data-b=\"{}\">{}</text>\n",
+            coordinate(at), decision.tick, number);
       }
     }
     marks_ += "</g>\n";
   }
 
-  void paint_finish(double bottom) {
-    if (!chart_.makespan) return;
-    const Tick tick = std::min(*chart_.makespan, chart_.last);
+  void paint_ending(double bottom) {
+    if (chart_.ending.empty()) return;
     marks_ += fmt::format(
-        "<g class=\"done\" data-b=\"{}\" transform=\"translate({} 0)\"><path class=\"finish\" d=\"M0 2V{}\"/>"
-        "<text class=\"small end ink strong\" x=\"-5\" y=\"13\">finished {}</text></g>\n",
-        tick, coordinate(x(tick)), coordinate(bottom),
-        *chart_.makespan);
+        "<g class=\"done{}\" data-b=\"{}\" transform=\"translate({} 0)\"><path class=\"finish\" "
+        "d=\"M0 2V{}\"/>"
+        "<text class=\"small end ink strong\" x=\"-5\" y=\"13\">{}</text></g>\n",
+        chart_.finished ? "" : " failed", chart_.last, coordinate(options_.plot_width),
+        coordinate(bottom), escaped(chart_.ending));
   }
 
   const GanttChart& chart_;

@@ -13,7 +13,7 @@ struct BodyOptions {
 };
 
 struct Body {
-  std::string svg;      ///< to stand in an `<svg>` of this size, with the chart's style sheet
+  std::string svg;  ///< to stand in an `<svg>` of this size, with the chart's style sheet
   double width = 0.0;
   double height = 0.0;
   double gutter = 0.0;  ///< width of the names left of the plot

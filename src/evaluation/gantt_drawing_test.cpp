@@ -23,19 +23,22 @@ GanttChart small_chart() { return make_gantt(read_text(test::small_log())); }
 
 std::size_t count(const std::string& text, const std::string& what) {
   std::size_t found = 0;
-  for (std::size_t at = text.find(what); at != std::string::npos; at = text.find(what, at + 1)) ++found;
+  for (std::size_t at = text.find(what); at != std::string::npos; at = text.find(what, at + 1))
+    ++found;
   return found;
 }
 
 /// A chart in which everything that has a name has a hostile one.
 GanttChart hostile_chart() {
-  const std::string evil = R"(</style></title></script><script>alert(1)</script>\"'><img src=x onerror=alert(2)>&\u0000\ufffe)";
+  const std::string evil =
+      R"(</style></title></script><script>alert(1)</script>\"'><img src=x onerror=alert(2)>&\u0000\ufffe)";
   std::string text = test::small_log();
-  for (const std::string name : {"little_line", "human.0", "robot.0", "cage.0", "rack", "desk", "stock", "box",
-                                 "press", "punch", "bring", "operate", "punched"}) {
+  for (const std::string name : {"little_line", "human.0", "robot.0", "cage.0", "rack", "desk",
+                                 "stock", "box", "press", "punch", "bring", "operate", "punched"}) {
     const std::string from = "\"" + name + "\"";
     const std::string to = "\"" + evil + name + "\"";
-    for (std::size_t at = text.find(from); at != std::string::npos; at = text.find(from, at + to.size())) {
+    for (std::size_t at = text.find(from); at != std::string::npos;
+         at = text.find(from, at + to.size())) {
       text.replace(at, from.size(), to);
     }
   }
@@ -167,7 +170,9 @@ TEST(GanttLabels, StandOnRoundTicks) {
 
 class GanttFile : public testing::Test {
  protected:
-  GanttFile() : folder_(testing::TempDir() + "linewright_gantt_file") { std::filesystem::remove_all(folder_); }
+  GanttFile() : folder_(testing::TempDir() + "linewright_gantt_file") {
+    std::filesystem::remove_all(folder_);
+  }
   ~GanttFile() override { std::filesystem::remove_all(folder_); }
 
   std::string folder_;

@@ -13,9 +13,12 @@ constexpr double kShortestStub = 42.0;  ///< pixels; less of a name tells nothin
 /// The better a stretch, the sooner it carries the label.
 int rank(GanttKind kind) {
   switch (kind) {
-    case GanttKind::kWork: return 2;
-    case GanttKind::kWaiting: return 1;
-    default: return 0;
+    case GanttKind::kWork:
+      return 2;
+    case GanttKind::kWaiting:
+      return 1;
+    default:
+      return 0;
   }
 }
 
@@ -38,7 +41,8 @@ std::vector<BarLabel> stretches_of(const std::vector<GanttInterval>& intervals, 
         stretches.back().end == interval.begin) {
       stretches.back().end = interval.end;
     } else {
-      stretches.push_back({interval.begin, interval.end, interval.kind, interval.task, interval.label});
+      stretches.push_back(
+          {interval.begin, interval.end, interval.kind, interval.task, interval.label});
     }
   }
   return stretches;

@@ -18,13 +18,14 @@ struct BarLabel {
   std::string words;
 };
 
-/// One label per task of a worker, over its longest uninterrupted work (else waiting, else way), and
-/// one per operation of a machine.
+/// One label per task of a worker, over its longest uninterrupted work (else waiting, else way),
+/// and one per operation of a machine.
 [[nodiscard]] std::vector<BarLabel> labels_of(const GanttRow& row);
 
-/// What of it fits into `width` pixels: `words`, else `number`, or the beginning of `words` when there
-/// is no number; empty: nothing.
-[[nodiscard]] std::string fitting(const std::string& words, const std::string& number, double width);
+/// What of it fits into `width` pixels: `words`, else `number`, or the beginning of `words` when
+/// there is no number; empty: nothing.
+[[nodiscard]] std::string fitting(const std::string& words, const std::string& number,
+                                  double width);
 
 /// Ticks between grid lines: 1, 2 or 5 times a power of ten, so that labels have room.
 [[nodiscard]] Tick grid_step(Tick last, double plot_width);

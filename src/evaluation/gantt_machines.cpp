@@ -1,7 +1,7 @@
+#include <fmt/format.h>
+
 #include <optional>
 #include <utility>
-
-#include <fmt/format.h>
 
 #include "gantt_rows.hpp"
 
@@ -79,7 +79,12 @@ class MachineRows {
 
   void recover(MachineId machine, const LogOperation& operation, Tick from) {
     if (operation.recovery == 0) return;
-    add(machine, {from, from + operation.recovery, GanttKind::kRecovering, {}, 0, {},
+    add(machine, {from,
+                  from + operation.recovery,
+                  GanttKind::kRecovering,
+                  {},
+                  0,
+                  {},
                   "recovering after " + operation.name});
   }
 

@@ -129,7 +129,8 @@ inline constexpr const char* kPageScript = R"js(
       const x = xOf(tick), near = x > end - 86 && x < end + 20;
       nodes.push(make("path", {class: "grid", d: `M${x} ${top}V${bottom}`}));
       const look = {class: "small mid muted", x};
-      if (!near) nodes.push(make("text", {...look, y: 13}, tick), make("text", {...look, y: bottom + 14}, tick));
+      if (!near) nodes.push(make("text", {...look, y: 13}, tick));
+      nodes.push(make("text", {...look, y: bottom + 14}, tick));
     }
     ticks.replaceChildren(...nodes);
   }

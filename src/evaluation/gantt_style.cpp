@@ -1,11 +1,11 @@
 #include "gantt_style.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
-
-#include <fmt/format.h>
 
 namespace linewright::gantt {
 namespace {
@@ -24,8 +24,8 @@ constexpr Colour colour(std::uint32_t rgb) {
 constexpr Colour kWhite = colour(0xFFFFFF);
 constexpr Colour kBlack = colour(0x000000);
 
-// The first seven are Okabe and Ito's. The others were chosen for their distance from all before them
-// under normal vision and under simulated protanopia, deuteranopia and tritanopia.
+// The first seven are Okabe and Ito's. The others were chosen for their distance from all before
+// them under normal vision and under simulated protanopia, deuteranopia and tritanopia.
 constexpr std::array<std::uint32_t, 12> kLight = {0xE69F00, 0x56B4E9, 0x009E73, 0xCC79A7,
                                                   0x0072B2, 0xD55E00, 0xF0E442, 0x8F5BE8,
                                                   0x6B2A0B, 0xAACCAA, 0x1B2F80, 0x7A5C5C};
@@ -54,9 +54,7 @@ double luminance(Colour c) {
 }
 
 /// Black or white, whichever reads better on `ground`.
-Colour ink_on(Colour ground) {
-  return luminance(ground) > 0.18 ? colour(0x10151B) : kWhite;
-}
+Colour ink_on(Colour ground) { return luminance(ground) > 0.18 ? colour(0x10151B) : kWhite; }
 
 /// What differs between light and dark.
 struct Theme {
@@ -69,10 +67,12 @@ struct Theme {
 constexpr const char* kLightRules = R"css(
 .bg{fill:#fff}.ink{fill:#18212b}.muted{fill:#5b6876}.grid{stroke:#e4e9ee}.axis{stroke:#b7c1cb}
 .stripe{fill:#f6f8fa}.finish{stroke:#18212b}.halo{fill:#18212b;stroke:#fff}.mark{fill:#5b6876}
+.failed .finish{stroke:#c22f1e}.failed .ink{fill:#c22f1e}
 )css";
 constexpr const char* kDarkRules = R"css(
 .bg{fill:#12161b}.ink{fill:#e9eef3}.muted{fill:#98a5b3}.grid{stroke:#262e37}.axis{stroke:#46525f}
 .stripe{fill:#181d23}.finish{stroke:#e9eef3}.halo{fill:#e9eef3;stroke:#12161b}.mark{fill:#98a5b3}
+.failed .finish{stroke:#ff7d68}.failed .ink{fill:#ff7d68}
 )css";
 
 const Theme& light() {

@@ -5,9 +5,10 @@
 
 // Colours and textures of charts.
 //
-// Class names, with i = style_of(task) or `n` for what belongs to no task: `s<i>` solid, `h<i>` hatched,
-// `o<i>` outlined and faint, `l<i>` text on solid. Colours are Okabe and Ito's, extended so that any two
-// differ also for the colour-blind; every task also has a number, because colour alone never suffices.
+// Class names, with i = style_of(task) or `n` for what belongs to no task: `s<i>` solid, `h<i>`
+// hatched, `o<i>` outlined and faint, `l<i>` text on solid. Colours are Okabe and Ito's, extended
+// so that any two differ also for the colour-blind; every task also has a number, because colour
+// alone never suffices.
 namespace linewright::gantt {
 
 /// Tasks beyond this many look like earlier ones; their numbers differ.

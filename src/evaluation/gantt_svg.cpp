@@ -26,8 +26,8 @@ class Legend {
     if (x_ > 0.0 && x_ + needed > width_) next_line();
     const bool thin = texture[0] == 'h' && number.empty();
     svg_ += fmt::format(
-        "<rect class=\"bar {}{}\" x=\"{}\" y=\"{}\" width=\"22\" height=\"{}\" rx=\"1.5\"/>\n", texture,
-        style, coordinate(x_), coordinate(y_ + (thin ? 3.5 : 0.0)), thin ? 9 : 16);
+        "<rect class=\"bar {}{}\" x=\"{}\" y=\"{}\" width=\"22\" height=\"{}\" rx=\"1.5\"/>\n",
+        texture, style, coordinate(x_), coordinate(y_ + (thin ? 3.5 : 0.0)), thin ? 9 : 16);
     if (!number.empty()) {
       svg_ += fmt::format("<text class=\"name l{}\" x=\"{}\" y=\"{}\">{}</text>\n", style,
                           coordinate(x_ + 11.0), coordinate(y_ + 11.7), escaped(number));
@@ -83,14 +83,17 @@ std::string gantt_svg(const GanttChart& chart) {
   const double height = top + body.height + 2.0 * kMargin;
   const std::string name = escaped(chart.title);
   std::string svg = fmt::format(
-      "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0}\" height=\"{1}\" viewBox=\"0 0 {0} {1}\" "
+      "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0}\" height=\"{1}\" viewBox=\"0 0 {0} "
+      "{1}\" "
       "role=\"img\">\n<title>{2}</title>\n<desc>{3}</desc>\n<style>{4}</style>\n{5}",
       coordinate(width), coordinate(height), name, escaped(facts_line(chart)),
       gantt::style_sheet(chart.tasks.size()), gantt::hatchings(chart.tasks.size()));
-  svg += fmt::format("<rect class=\"bg\" width=\"100%\" height=\"100%\"/>\n<g transform=\"translate({0} {0})\">\n",
-                     coordinate(kMargin));
+  svg += fmt::format(
+      "<rect class=\"bg\" width=\"100%\" height=\"100%\"/>\n<g transform=\"translate({0} {0})\">\n",
+      coordinate(kMargin));
   svg += fmt::format("<text class=\"title ink\" x=\"0\" y=\"18\">{}</text>\n", name);
-  svg += fmt::format("<text class=\"muted\" x=\"0\" y=\"42\">{}</text>\n", escaped(facts_line(chart)));
+  svg +=
+      fmt::format("<text class=\"muted\" x=\"0\" y=\"42\">{}</text>\n", escaped(facts_line(chart)));
   svg += legend.svg();
   svg += fmt::format("<svg y=\"{}\" width=\"{}\" height=\"{}\">\n{}</svg>\n</g>\n</svg>\n",
                      coordinate(top), coordinate(body.width), coordinate(body.height), body.svg);

@@ -61,7 +61,8 @@ struct Playthrough {
   GanttChart chart;
 };
 
-Playthrough simulate(const std::string& scenario_file, const RunOptions& options, std::uint64_t seed) {
+Playthrough simulate(const std::string& scenario_file, const RunOptions& options,
+                     std::uint64_t seed) {
   const Scenario scenario = load_scenario(LINEWRIGHT_SOURCE_DIR "/scenarios/" + scenario_file);
   const Simulator simulator(std::make_shared<const LineModel>(scenario.line));
   const auto planner = PlannerRegistry::make("random", simulator);
@@ -84,8 +85,8 @@ TEST(Gantt, ShowsPeopleThenRobotsThenMachines) {
 }
 
 TEST(Gantt, ShowsOtherKindsOfWorkersUnderTheirNames) {
-  const GanttChart chart =
-      make_gantt(read_text(small_log_with(R"("kind":"human","start")", R"("kind":"drone","start")")));
+  const GanttChart chart = make_gantt(
+      read_text(small_log_with(R"("kind":"human","start")", R"("kind":"drone","start")")));
   EXPECT_EQ(chart.sections[0].heading, "Robots");
   EXPECT_EQ(chart.sections[1].heading, "drone");
 }
@@ -114,10 +115,11 @@ TEST(Gantt, ShowsAWayToWhereOneStandsAsWaiting) {
 
 TEST(Gantt, ShowsALateJoinerFromItsJoinToItsRelease) {
   const GanttChart chart = small_chart();
-  EXPECT_EQ(texts(chart.sections[1].rows[0]), (std::vector<std::string>{
-                            "robot.0 · bring (decision 1) · drive dock → rack · ticks 3–10 · 7.8 m",
-                            "robot.0 · bring (decision 1) · wait at rack · ticks 10–16",
-                        }));
+  EXPECT_EQ(texts(chart.sections[1].rows[0]),
+            (std::vector<std::string>{
+                "robot.0 · bring (decision 1) · drive dock → rack · ticks 3–10 · 7.8 m",
+                "robot.0 · bring (decision 1) · wait at rack · ticks 10–16",
+            }));
 }
 
 TEST(Gantt, TellsWhatEveryMachineDid) {
@@ -146,9 +148,11 @@ TEST(Gantt, KnowsWhatIsCarried) {
 TEST(Gantt, TellsWhoWhatAndHowItEnded) {
   GanttChart chart = small_chart();
   EXPECT_EQ(chart.title, "little_line");
-  EXPECT_EQ(chart.facts, (std::vector<std::string>{"1 human, 1 robot, 1 cage", "order: 2 × box",
-                                                   "finished after 32 ticks (16 s)", "2 decisions"}));
-  EXPECT_EQ(chart.makespan, 32);
+  EXPECT_EQ(chart.facts,
+            (std::vector<std::string>{"1 human, 1 robot, 1 cage", "order: 2 × box",
+                                      "finished after 32 ticks (16 s)", "2 decisions"}));
+  EXPECT_TRUE(chart.finished);
+  EXPECT_EQ(chart.ending, "finished 32");
   ASSERT_EQ(chart.decisions.size(), 2U);
   EXPECT_EQ(chart.decisions[0].text, "decision 1 · tick 1 · bring · cage.0 · human.0");
   ASSERT_EQ(chart.milestones.size(), 1U);
@@ -157,14 +161,16 @@ TEST(Gantt, TellsWhoWhatAndHowItEnded) {
   chart = make_gantt(
       read_text(small_log_with(end, R"("status":"horizon","makespan":null,"progress":0.5)")));
   EXPECT_EQ(chart.facts[2], "not finished within 32 ticks, 50 % of the order done");
-  EXPECT_FALSE(chart.makespan);
+  EXPECT_FALSE(chart.finished);
+  EXPECT_EQ(chart.ending, "horizon 32");
   chart = make_gantt(
       read_text(small_log_with(end, R"("status":"deadlock","makespan":null,"progress":0.5)")));
   EXPECT_EQ(chart.facts[2], "deadlock at tick 32, 50 % of the order done");
 }
 
 TEST(Gantt, CutsWhatLastsLongerThanTheRun) {
-  const GanttChart chart = make_gantt(read_text(small_log_with(R"("until":32})", R"("until":320})")));
+  const GanttChart chart =
+      make_gantt(read_text(small_log_with(R"("until":32})", R"("until":320})")));
   expect_sound(chart);
   EXPECT_EQ(chart.sections[2].rows[1].intervals.back().end, 32);
 }

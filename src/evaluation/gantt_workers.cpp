@@ -1,7 +1,7 @@
+#include <fmt/format.h>
+
 #include <optional>
 #include <utility>
-
-#include <fmt/format.h>
 
 #include "gantt_rows.hpp"
 
@@ -68,15 +68,22 @@ class WorkerRows {
                     fmt::format(" · {:.1f} m", go.metres), go.to});
   }
   void operator()(const LoggedTransfer& transfer) {
-    add(transfer.worker, {now_, transfer.until, GanttKind::kWork,
+    add(transfer.worker, {now_,
+                          transfer.until,
+                          GanttKind::kWork,
                           fmt::format("move {} {} → {}", material(transfer),
                                       end_name(transfer.from), end_name(transfer.to)),
-                          {}, {}});
+                          {},
+                          {}});
   }
   void operator()(const LoggedOperationStart& start) {
     if (!start.worker) return;
-    add(*start.worker, {now_, start.until, GanttKind::kWork,
-                        "operate " + log_.header.operations[start.operation.index()].name, {}, {}});
+    add(*start.worker, {now_,
+                        start.until,
+                        GanttKind::kWork,
+                        "operate " + log_.header.operations[start.operation.index()].name,
+                        {},
+                        {}});
   }
   void operator()(const LoggedPickUp& up) {
     auto& holder = holders_[up.carrier.index()];
@@ -100,7 +107,8 @@ class WorkerRows {
 
   void add(WorkerId worker, Activity activity) {
     if (activity.leads) stations_[worker.index()] = *activity.leads;
-    if (auto& binding = bindings_[worker.index()]) binding->activities.push_back(std::move(activity));
+    if (auto& binding = bindings_[worker.index()])
+      binding->activities.push_back(std::move(activity));
   }
 
   /// Draws the worker's time in its task; what lies between its activities is waiting.
@@ -122,8 +130,12 @@ class WorkerRows {
 
   void wait(WorkerId worker, Tick until, StationId station) {
     const std::string& name = log_.header.stations[station.index()].name;
-    draw(worker, {builders_[worker.index()].filled(), until, GanttKind::kWaiting, "wait at " + name,
-                  {}, {}});
+    draw(worker, {builders_[worker.index()].filled(),
+                  until,
+                  GanttKind::kWaiting,
+                  "wait at " + name,
+                  {},
+                  {}});
   }
 
   void draw(WorkerId worker, const Activity& activity) {
@@ -148,13 +160,15 @@ class WorkerRows {
   }
 
   [[nodiscard]] std::string end_name(const LoggedTransfer::End& end) const {
-    if (const auto* place = std::get_if<PlaceId>(&end)) return log_.header.places[place->index()].name;
+    if (const auto* place = std::get_if<PlaceId>(&end))
+      return log_.header.places[place->index()].name;
     return log_.header.carriers[std::get<CarrierId>(end).index()].id;
   }
 
   [[nodiscard]] std::string material(const LoggedTransfer& transfer) const {
     for (const auto* end : {&transfer.from, &transfer.to}) {
-      if (const auto* place = std::get_if<PlaceId>(end)) return log_.header.places[place->index()].of;
+      if (const auto* place = std::get_if<PlaceId>(end))
+        return log_.header.places[place->index()].of;
     }
     return "item";
   }
@@ -162,10 +176,10 @@ class WorkerRows {
   const LogDocument& log_;
   std::vector<RowBuilder> builders_;
   std::vector<std::optional<Binding>> bindings_;
-  std::vector<StationId> stations_;  ///< where each worker stands or is going
+  std::vector<StationId> stations_;                ///< where each worker stands or is going
   std::vector<std::optional<CarrierId>> carried_;  ///< by worker
   std::vector<std::optional<WorkerId>> holders_;   ///< by carrier
-  std::vector<std::vector<WorkerId>> members_;  ///< by decision
+  std::vector<std::vector<WorkerId>> members_;     ///< by decision
   Tick now_ = 0;
 };
 

@@ -1,6 +1,6 @@
-#include <filesystem>
-
 #include <fmt/format.h>
+
+#include <filesystem>
 
 #include "linewright/base/diagnostic.hpp"
 #include "linewright/evaluation/event_log_writer.hpp"
@@ -16,8 +16,9 @@ void write_gantt(const GanttChart& chart, const std::string& path) {
     write_file(path, gantt_html(chart));
   } else {
     throw ScenarioError(path,
-                        extension.empty() ? std::string("has no extension that says which format to write")
-                                          : fmt::format("charts cannot be written as '{}'", extension),
+                        extension.empty()
+                            ? std::string("has no extension that says which format to write")
+                            : fmt::format("charts cannot be written as '{}'", extension),
                         "name a file that ends in .svg or .html");
   }
 }

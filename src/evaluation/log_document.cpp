@@ -1,5 +1,7 @@
 #include "linewright/evaluation/log_document.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cerrno>
@@ -10,8 +12,6 @@
 #include <string_view>
 #include <system_error>
 #include <utility>
-
-#include <fmt/format.h>
 
 #include "log_events.hpp"
 #include "log_fields.hpp"
@@ -24,7 +24,8 @@ using event_log::fail;
 using event_log::Json;
 using event_log::LogPosition;
 
-constexpr const char* kSimulateAgain = "simulate the run again: linewright simulate SCENARIO --log FILE";
+constexpr const char* kSimulateAgain =
+    "simulate the run again: linewright simulate SCENARIO --log FILE";
 
 /// Hands out the lines of a stream, one by one, never more than kLongestLogLine in memory.
 class LineReader {
@@ -61,8 +62,9 @@ class LineReader {
   }
 
   [[noreturn]] void too_long() const {
-    fail(where_, fmt::format("the line is longer than {} MB: this is not an event log",
-                             kLongestLogLine >> 20U),
+    fail(where_,
+         fmt::format("the line is longer than {} MB: this is not an event log",
+                     kLongestLogLine >> 20U),
          kSimulateAgain);
   }
 

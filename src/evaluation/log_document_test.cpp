@@ -33,7 +33,8 @@ std::string complaint(const std::string& text) {
 /// The complaint names the line and contains the words.
 void expect_complaint(const std::string& text, int line, const std::string& words) {
   const std::string said = complaint(text);
-  const std::string where = line > 0 ? "run.jsonl:" + std::to_string(line) + ": error: " : "run.jsonl: error: ";
+  const std::string where =
+      line > 0 ? "run.jsonl:" + std::to_string(line) + ": error: " : "run.jsonl: error: ";
   EXPECT_EQ(said.rfind(where, 0), 0U) << said;
   EXPECT_NE(said.find(words), std::string::npos) << said;
   EXPECT_NE(said.find("hint: "), std::string::npos) << said;
@@ -157,35 +158,43 @@ TEST(LogDocument, RefusesAnUnknownEvent) {
 }
 
 TEST(LogDocument, RefusesNamesThatTheHeaderDoesNotList) {
-  expect_complaint(with_line(6, R"({"t":10,"event":"pick_up","n":1,"worker":"robot.9","carrier":"cage.0"})"),
-                   6, "unknown worker 'robot.9'");
-  expect_complaint(with_line(6, R"({"t":10,"event":"pick_up","n":1,"worker":"robot.0","carrier":"cage.1"})"),
-                   6, "unknown carrier 'cage.1'");
+  expect_complaint(
+      with_line(6, R"({"t":10,"event":"pick_up","n":1,"worker":"robot.9","carrier":"cage.0"})"), 6,
+      "unknown worker 'robot.9'");
+  expect_complaint(
+      with_line(6, R"({"t":10,"event":"pick_up","n":1,"worker":"robot.0","carrier":"cage.1"})"), 6,
+      "unknown carrier 'cage.1'");
   expect_complaint(small_log_with(R"("to":"rack")", R"("to":"rock")"), 3, "unknown station 'rock'");
-  expect_complaint(small_log_with(R"("from":"stock")", R"("from":"stack")"), 7, "unknown place 'stack'");
+  expect_complaint(small_log_with(R"("from":"stock")", R"("from":"stack")"), 7,
+                   "unknown place 'stack'");
   expect_complaint(small_log_with(R"("operation":"grip")", R"("operation":"gripe")"), 11,
                    "unknown operation 'gripe'");
   expect_complaint(small_log_with(R"("task":"operate")", R"("task":"operated")"), 14,
                    "unknown task 'operated'");
   expect_complaint(small_log_with(R"(["human.0"])", R"(["human.1"])"), 2,
                    "unknown worker or carrier 'human.1'");
-  expect_complaint(small_log_with(R"("uses":["press"])", R"("uses":["pres"])"), 1, "unknown machine 'pres'");
-  expect_complaint(small_log_with(R"("finished_in":"store")", R"("finished_in":"x")"), 1, "unknown place 'x'");
-  expect_complaint(small_log_with(R"("start":"desk")", R"("start":"disk")"), 1, "unknown station 'disk'");
+  expect_complaint(small_log_with(R"("uses":["press"])", R"("uses":["pres"])"), 1,
+                   "unknown machine 'pres'");
+  expect_complaint(small_log_with(R"("finished_in":"store")", R"("finished_in":"x")"), 1,
+                   "unknown place 'x'");
+  expect_complaint(small_log_with(R"("start":"desk")", R"("start":"disk")"), 1,
+                   "unknown station 'disk'");
 }
 
 TEST(LogDocument, RefusesNamesListedTwice) {
-  expect_complaint(small_log_with("\"robot.0\"", "\"human.0\""), 1, "worker 'human.0' is listed twice");
+  expect_complaint(small_log_with("\"robot.0\"", "\"human.0\""), 1,
+                   "worker 'human.0' is listed twice");
   expect_complaint(small_log_with("\"clamp\"", "\"press\""), 1, "machine 'press' is listed twice");
 }
 
 TEST(LogDocument, RefusesEventsWithoutAKey) {
   const std::set<std::string> optional = {"path", "berth"};
-  const auto lines = small_log_lines();
+  const auto& lines = small_log_lines();
   for (std::size_t i = 1; i < lines.size(); ++i) {
     const auto event = nlohmann::json::parse(lines[i]);
     for (const auto& [key, value] : event.items()) {
-      if (optional.contains(key) || (key == "worker" && event["event"] == "operation_start")) continue;
+      if (optional.contains(key) || (key == "worker" && event["event"] == "operation_start"))
+        continue;
       auto without = event;
       without.erase(key);
       expect_complaint(with_line(i + 1, without.dump()), static_cast<int>(i) + 1,
@@ -195,9 +204,10 @@ TEST(LogDocument, RefusesEventsWithoutAKey) {
 }
 
 TEST(LogDocument, RefusesAHeaderWithoutAKey) {
-  for (const std::string key : {"line", "scenario_hash", "tick_s", "horizon", "order", "workers", "carriers",
-                                "stations", "places", "machines", "operations", "tasks", "finished_in",
-                                "kind", "capacity\":2,\"start", "bounds", "obstacles", "rectangle"}) {
+  for (const std::string key :
+       {"line", "scenario_hash", "tick_s", "horizon", "order", "workers", "carriers", "stations",
+        "places", "machines", "operations", "tasks", "finished_in", "kind", "capacity\":2,\"start",
+        "bounds", "obstacles", "rectangle"}) {
     const std::string said = complaint(small_log_with("\"" + key + "\":", "\"x" + key + "\":"));
     EXPECT_NE(said.find("run.jsonl:1: error: "), std::string::npos) << key << said;
     EXPECT_NE(said.find("lacks the key"), std::string::npos) << key << said;
@@ -205,34 +215,49 @@ TEST(LogDocument, RefusesAHeaderWithoutAKey) {
 }
 
 TEST(LogDocument, RefusesValuesOfTheWrongType) {
-  expect_complaint(small_log_with(R"("tick_s":0.5)", R"("tick_s":"fast")"), 1, "'tick_s' of the header must be");
-  expect_complaint(small_log_with(R"("tick_s":0.5)", R"("tick_s":0)"), 1, "'tick_s' of the header must be");
-  expect_complaint(small_log_with(R"("workers":[{)", R"("workers":[7,{)"), 1, "must be a JSON object");
-  expect_complaint(small_log_with(R"([1.5,2.0,0.0])", R"([1.5,2.0])"), 1, "must be a list of 3 numbers");
-  expect_complaint(small_log_with(R"([1.5,2.0,0.0])", R"([1.5,2.0,"0"])"), 1, "must be a list of 3 numbers");
-  expect_complaint(small_log_with(R"("departs":2)", R"("departs":2.5)"), 3, "'departs' of event 'go' must be");
-  expect_complaint(small_log_with(R"("worker":"human.0","from":"desk")", R"("worker":0,"from":"desk")"), 3,
-                   "'worker' of event 'go' must be text");
-  expect_complaint(small_log_with(R"("metres":4.61)", R"("metres":-1)"), 3, "'metres' of event 'go' must be");
-  expect_complaint(small_log_with(R"("path":[[1.5,2],)", R"("path":[[1.5],)"), 3, "must be a list of 2 numbers");
-  expect_complaint(small_log_with(R"("human":["human.0"])", R"("human":"human.0")"), 2, "must be a list");
+  expect_complaint(small_log_with(R"("tick_s":0.5)", R"("tick_s":"fast")"), 1,
+                   "'tick_s' of the header must be");
+  expect_complaint(small_log_with(R"("tick_s":0.5)", R"("tick_s":0)"), 1,
+                   "'tick_s' of the header must be");
+  expect_complaint(small_log_with(R"("workers":[{)", R"("workers":[7,{)"), 1,
+                   "must be a JSON object");
+  expect_complaint(small_log_with(R"([1.5,2.0,0.0])", R"([1.5,2.0])"), 1,
+                   "must be a list of 3 numbers");
+  expect_complaint(small_log_with(R"([1.5,2.0,0.0])", R"([1.5,2.0,"0"])"), 1,
+                   "must be a list of 3 numbers");
+  expect_complaint(small_log_with(R"("departs":2)", R"("departs":2.5)"), 3,
+                   "'departs' of event 'go' must be");
+  expect_complaint(
+      small_log_with(R"("worker":"human.0","from":"desk")", R"("worker":0,"from":"desk")"), 3,
+      "'worker' of event 'go' must be text");
+  expect_complaint(small_log_with(R"("metres":4.61)", R"("metres":-1)"), 3,
+                   "'metres' of event 'go' must be");
+  expect_complaint(small_log_with(R"("path":[[1.5,2],)", R"("path":[[1.5],)"), 3,
+                   "must be a list of 2 numbers");
+  expect_complaint(small_log_with(R"("human":["human.0"])", R"("human":"human.0")"), 2,
+                   "must be a list");
   expect_complaint(small_log_with(R"("status":"finished")", R"("status":"great")"), 23, "'status'");
   expect_complaint(small_log_with(R"("makespan":32)", R"("makespan":null)"), 23, "'makespan'");
-  expect_complaint(small_log_with(R"("status":"finished")", R"("status":"deadlock")"), 23, "must be null");
+  expect_complaint(small_log_with(R"("status":"finished")", R"("status":"deadlock")"), 23,
+                   "must be null");
   expect_complaint(small_log_with(R"("progress":1.0)", R"("progress":1.5)"), 23, "'progress'");
 }
 
 TEST(LogDocument, RefusesTicksThatRunBackwards) {
-  expect_complaint(small_log_with(R"("t":13)", R"("t":9)"), 8, "time runs backwards: tick 9 after tick 10");
-  expect_complaint(small_log_with(R"({"t":32,"event":"end")", R"({"t":3,"event":"end")"), 23, "backwards");
+  expect_complaint(small_log_with(R"("t":13)", R"("t":9)"), 8,
+                   "time runs backwards: tick 9 after tick 10");
+  expect_complaint(small_log_with(R"({"t":32,"event":"end")", R"({"t":3,"event":"end")"), 23,
+                   "backwards");
   expect_complaint(small_log_with(R"("arrives":6)", R"("arrives":1)"), 3, "'arrives'");
   expect_complaint(small_log_with(R"("departs":2)", R"("departs":0)"), 3, "'departs'");
   expect_complaint(small_log_with(R"("until":13)", R"("until":9)"), 7, "'until'");
 }
 
 TEST(LogDocument, RefusesAbsurdTicks) {
-  for (const std::string tick : {"-1", "100000001", "1e3", "99999999999", "18446744073709551615", "1e99"}) {
-    expect_complaint(small_log_with(R"({"t":13)", R"({"t":)" + tick), 8, "'t' of event 'transfer' must be");
+  for (const std::string tick :
+       {"-1", "100000001", "1e3", "99999999999", "18446744073709551615", "1e99"}) {
+    expect_complaint(small_log_with(R"({"t":13)", R"({"t":)" + tick), 8,
+                     "'t' of event 'transfer' must be");
   }
   expect_complaint(small_log_with(R"("until":13)", R"("until":400000001)"), 7, "'until'");
   expect_complaint(small_log_with(R"("horizon":100)", R"("horizon":100000001)"), 1, "'horizon'");
@@ -256,7 +281,8 @@ TEST(LogDocument, RefusesALogThatIsCutOffAnywhere) {
   EXPECT_EQ(complaint(whole.substr(0, whole.size() - 1)), "");  // all but the last line break
   for (std::size_t size = 1; size + 1 < whole.size(); ++size) {
     const std::string said = complaint(whole.substr(0, size));
-    ASSERT_NE(said.find("the log is cut off"), std::string::npos) << "at byte " << size << ": " << said;
+    ASSERT_NE(said.find("the log is cut off"), std::string::npos)
+        << "at byte " << size << ": " << said;
   }
 }
 
@@ -264,14 +290,16 @@ TEST(LogDocument, RefusesDeepNestingAndLongLines) {
   const std::string deep(100'000, '[');
   expect_complaint(deep + "\n", 1, "nested deeper than 64");
   expect_complaint(with_line(3, "{\"t\":1,\"x\":" + deep + "}"), 3, "nested deeper than 64");
-  const std::string brackets_in_text = R"({"t":1,"event":"milestone","name":"a\"[[[[)" + std::string(100, '[') + "\"}";
+  const std::string brackets_in_text =
+      R"({"t":1,"event":"milestone","name":"a\"[[[[)" + std::string(100, '[') + "\"}";
   EXPECT_EQ(complaint(with_line(2, brackets_in_text + "\n" + small_log_lines()[1])), "");
   expect_complaint(std::string(kLongestLogLine + 2, ' ') + "\n", 1, "longer than 16 MB");
 }
 
 TEST(LogDocument, RefusesNamesTooLongToShow) {
   expect_complaint(small_log_with("little_line", std::string(5000, 'x')), 1, "bytes long");
-  expect_complaint(small_log_with("\"rack\"", "\"" + std::string(5000, 'x') + "\""), 1, "longer than");
+  expect_complaint(small_log_with("\"rack\"", "\"" + std::string(5000, 'x') + "\""), 1,
+                   "longer than");
 }
 
 TEST(LogDocument, CutsForeignTextInMessages) {

@@ -1,9 +1,9 @@
 #include "log_events.hpp"
 
+#include <fmt/format.h>
+
 #include <map>
 #include <utility>
-
-#include <fmt/format.h>
 
 #include "linewright/base/diagnostic.hpp"
 
@@ -23,7 +23,9 @@ struct Source {
     return static_cast<std::int32_t>(fields.integer("n", 1, INT32_MAX));
   }
   [[nodiscard]] WorkerId worker() const { return fields.id<WorkerId>("worker", index.workers); }
-  [[nodiscard]] CarrierId carrier() const { return fields.id<CarrierId>("carrier", index.carriers); }
+  [[nodiscard]] CarrierId carrier() const {
+    return fields.id<CarrierId>("carrier", index.carriers);
+  }
   [[nodiscard]] TaskId task() const { return fields.id<TaskId>("task", index.tasks); }
   [[nodiscard]] StationId station(const char* key) const {
     return fields.id<StationId>(key, index.stations);
@@ -68,7 +70,8 @@ LoggedEvent::What read_join(const Source& source) {
 }
 
 LoggedEvent::What read_go(const Source& source) {
-  LoggedGo go{source.n(), source.worker(), source.station("from"), source.station("to"), 0, 0, 0.0, {}};
+  LoggedGo go{source.n(), source.worker(), source.station("from"), source.station("to"), 0, 0, 0.0,
+              {}};
   go.departs = source.tick_from("departs", source.tick);
   go.arrives = source.tick_from("arrives", go.departs);
   go.metres = source.fields.number("metres", 0.0, 1e9);
@@ -93,7 +96,8 @@ LoggedEvent::What read_put_down(const Source& source) {
 }
 
 LoggedEvent::What read_berth(const Source& source) {
-  return LoggedBerth{source.n(), source.carrier(), source.fields.id<PlaceId>("berth", source.index.places)};
+  return LoggedBerth{source.n(), source.carrier(),
+                     source.fields.id<PlaceId>("berth", source.index.places)};
 }
 
 LoggedTransfer::End transfer_end(const Source& source, const char* key) {
@@ -148,7 +152,8 @@ LoggedEnd read_end(const LogFields& fields, Tick tick) {
   } else {
     fields.wrong("status", "'finished', 'deadlock' or 'horizon'");
   }
-  if (!fields.at("makespan").is_null()) fields.wrong("makespan", "null in a run that did not finish");
+  if (!fields.at("makespan").is_null())
+    fields.wrong("makespan", "null in a run that did not finish");
   return end;
 }
 

@@ -1,10 +1,10 @@
 #include "log_fields.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
-
-#include <fmt/format.h>
 
 #include "linewright/base/diagnostic.hpp"
 
@@ -14,7 +14,8 @@ namespace {
 // Scenarios allow names of 100 bytes; log names add a number. Texts for hovering repeat them often.
 constexpr std::size_t kLongestName = 256;
 constexpr double kLargestCoordinate = 1e9;
-constexpr const char* kSeeFormat = "docs/formats/event_log.md lists the keys; simulate the run again";
+constexpr const char* kSeeFormat =
+    "docs/formats/event_log.md lists the keys; simulate the run again";
 
 bool continues_character(char byte) { return (static_cast<unsigned char>(byte) & 0xC0U) == 0x80U; }
 
@@ -45,7 +46,8 @@ std::string in_quotes(std::string_view text) {
 
 void LogNames::add(const std::string& name, const LogPosition& where) {
   if (name.size() > kLongestName) {
-    fail(where, fmt::format("{} {} has a name longer than {} bytes", noun_, in_quotes(name), kLongestName),
+    fail(where,
+         fmt::format("{} {} has a name longer than {} bytes", noun_, in_quotes(name), kLongestName),
          "names of scenarios are shorter; simulate the run again");
   }
   if (!ids_.emplace(name, names_.size()).second) {
@@ -88,7 +90,8 @@ const Json& LogFields::at(const char* key) const {
 void LogFields::wrong(const char* key, const std::string& expected) const {
   const std::string value =
       at(key).dump(-1, ' ', false, Json::error_handler_t::replace).substr(0, 1000);
-  fail(where_, fmt::format("'{}' of {} must be {}, not {}", key, title_, expected, in_quotes(value)),
+  fail(where_,
+       fmt::format("'{}' of {} must be {}, not {}", key, title_, expected, in_quotes(value)),
        kSeeFormat);
 }
 
@@ -133,11 +136,13 @@ LogFields LogFields::object(const char* key) const {
 
 const std::string& text_of(const Json& value, const std::string& title, const LogPosition& where) {
   if (!value.is_string()) {
-    fail(where, fmt::format("{} must hold text only, not {}", title, value.type_name()), kSeeFormat);
+    fail(where, fmt::format("{} must hold text only, not {}", title, value.type_name()),
+         kSeeFormat);
   }
   const auto& text = value.get_ref<const std::string&>();
   if (text.size() > kLongestName) {
-    fail(where, fmt::format("{} holds a name longer than {} bytes", title, kLongestName), kSeeFormat);
+    fail(where, fmt::format("{} holds a name longer than {} bytes", title, kLongestName),
+         kSeeFormat);
   }
   return text;
 }
@@ -150,8 +155,8 @@ std::vector<double> numbers_of(const Json& value, std::size_t count, const std::
   if (value.is_array() && value.size() == count && std::all_of(value.begin(), value.end(), fits)) {
     return value.get<std::vector<double>>();
   }
-  fail(where, fmt::format("{} must be a list of {} numbers up to {:g}", title, count,
-                          kLargestCoordinate),
+  fail(where,
+       fmt::format("{} must be a list of {} numbers up to {:g}", title, count, kLargestCoordinate),
        kSeeFormat);
 }
 

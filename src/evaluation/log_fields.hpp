@@ -2,12 +2,11 @@
 
 #include <cstdint>
 #include <map>
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
-
-#include <nlohmann/json.hpp>
 
 // Reading JSON objects key by key, with messages that name file, line, object and key.
 namespace linewright::event_log {
@@ -46,8 +45,8 @@ class LogNames {
   std::map<std::string, std::size_t> ids_;
 };
 
-/// One JSON object. Every getter throws ScenarioError when the key is absent or its value is not what
-/// it must be.
+/// One JSON object. Every getter throws ScenarioError when the key is absent or its value is not
+/// what it must be.
 class LogFields {
  public:
   /// `title` names the object in messages: "event 'go'".
@@ -85,7 +84,8 @@ class LogFields {
 [[nodiscard]] const std::string& text_of(const Json& value, const std::string& title,
                                          const LogPosition& where);
 
-/// A list of exactly `count` numbers of reasonable size (coordinates); `title` names it in messages.
+/// A list of exactly `count` numbers of reasonable size (coordinates); `title` names it in
+/// messages.
 [[nodiscard]] std::vector<double> numbers_of(const Json& value, std::size_t count,
                                              const std::string& title, const LogPosition& where);
 

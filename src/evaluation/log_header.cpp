@@ -1,9 +1,9 @@
 #include "log_header.hpp"
 
+#include <fmt/format.h>
+
 #include <functional>
 #include <utility>
-
-#include <fmt/format.h>
 
 namespace linewright::event_log {
 namespace {
@@ -41,8 +41,10 @@ class HeaderReader {
     }
     const std::string& format = fields_.text("format");
     if (format != kFormat) {
-      fail(where_, fmt::format("has the format {}, but this version reads '{}'", in_quotes(format), kFormat),
-           "simulate the run again with this version, or read it with the version that wrote it");
+      fail(
+          where_,
+          fmt::format("has the format {}, but this version reads '{}'", in_quotes(format), kFormat),
+          "simulate the run again with this version, or read it with the version that wrote it");
     }
   }
 
@@ -81,17 +83,18 @@ class HeaderReader {
   void read_workers() {
     each("workers", [&](const LogFields& entry) {
       index_.workers.add(entry.text("id"), where_);
-      header_.workers.push_back({entry.text("id"), entry.text("kind"),
-                                 entry.id<StationId>("start", index_.stations)});
+      header_.workers.push_back(
+          {entry.text("id"), entry.text("kind"), entry.id<StationId>("start", index_.stations)});
     });
   }
 
   void read_carriers() {
     each("carriers", [&](const LogFields& entry) {
       index_.carriers.add(entry.text("id"), where_);
-      header_.carriers.push_back({entry.text("id"), entry.text("kind"),
-                                  static_cast<std::int32_t>(entry.integer("capacity", 0, kLargestInt)),
-                                  entry.id<StationId>("start", index_.stations)});
+      header_.carriers.push_back(
+          {entry.text("id"), entry.text("kind"),
+           static_cast<std::int32_t>(entry.integer("capacity", 0, kLargestInt)),
+           entry.id<StationId>("start", index_.stations)});
     });
   }
 
@@ -161,8 +164,8 @@ class HeaderReader {
   void read_tasks() {
     each("tasks", [&](const LogFields& entry) {
       index_.tasks.add(entry.text("name"), where_);
-      header_.tasks.push_back({static_cast<std::int32_t>(entry.integer("number", 0, kLargestInt)),
-                               entry.text("name")});
+      header_.tasks.push_back(
+          {static_cast<std::int32_t>(entry.integer("number", 0, kLargestInt)), entry.text("name")});
     });
   }
 
@@ -174,7 +177,8 @@ class HeaderReader {
   }
 
   LogRectangle rectangle(const LogFields& fields, const char* key) const {
-    const auto n = numbers_of(fields.at(key), 4, fmt::format("'{}' of {}", key, fields.title()), where_);
+    const auto n =
+        numbers_of(fields.at(key), 4, fmt::format("'{}' of {}", key, fields.title()), where_);
     return {n[0], n[1], n[2], n[3]};
   }
 

@@ -1,8 +1,8 @@
 #include "markup.hpp"
 
-#include <algorithm>
-
 #include <fmt/format.h>
+
+#include <algorithm>
 
 namespace linewright::markup {
 namespace {
@@ -40,11 +40,26 @@ bool allowed_in_xml(char32_t code) {
 double relative_width(char32_t code) {
   if (code >= 0x2E80) return 1.05;  // ideographs and symbols
   switch (code) {
-    case 'i': case 'j': case 'l': case 't': case 'f': case 'r': case '.': case ',': case ' ':
-    case '|': case '(': case ')':
+    case 'i':
+    case 'j':
+    case 'l':
+    case 't':
+    case 'f':
+    case 'r':
+    case '.':
+    case ',':
+    case ' ':
+    case '|':
+    case '(':
+    case ')':
       return 0.36;
-    case 'm': case 'w': case 'M': case 'W': return 0.92;
-    default: return code >= 'A' && code <= 'Z' ? 0.72 : 0.6;
+    case 'm':
+    case 'w':
+    case 'M':
+    case 'W':
+      return 0.92;
+    default:
+      return code >= 'A' && code <= 'Z' ? 0.72 : 0.6;
   }
 }
 
@@ -56,12 +71,26 @@ std::string escaped(std::string_view text) {
   while (!text.empty()) {
     const Character character = first_character(text);
     switch (character.code) {
-      case '&': result += "&amp;"; break;
-      case '<': result += "&lt;"; break;
-      case '>': result += "&gt;"; break;
-      case '"': result += "&quot;"; break;
-      case '\'': result += "&#39;"; break;
-      case '\t': case '\n': case '\r': result += ' '; break;
+      case '&':
+        result += "&amp;";
+        break;
+      case '<':
+        result += "&lt;";
+        break;
+      case '>':
+        result += "&gt;";
+        break;
+      case '"':
+        result += "&quot;";
+        break;
+      case '\'':
+        result += "&#39;";
+        break;
+      case '\t':
+      case '\n':
+      case '\r':
+        result += ' ';
+        break;
       default:
         if (character.sound && allowed_in_xml(character.code)) {
           result += text.substr(0, character.bytes);

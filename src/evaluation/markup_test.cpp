@@ -10,7 +10,8 @@ namespace {
 const std::string kUnknown = "\xEF\xBF\xBD";
 
 TEST(Escaped, LeavesPlainTextAlone) {
-  EXPECT_EQ(escaped("flange_side → ticks 1–13 · 部品 🤖"), "flange_side → ticks 1–13 · 部品 🤖");
+  EXPECT_EQ(escaped("flange_side → ticks 1–13 · 部品 🤖"),
+            "flange_side → ticks 1–13 · 部品 🤖");
 }
 
 TEST(Escaped, WritesMarkupAsEntities) {

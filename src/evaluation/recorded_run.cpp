@@ -1,12 +1,12 @@
 #include "linewright/evaluation/recorded_run.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <charconv>
 #include <fstream>
 #include <iterator>
 #include <map>
-
-#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "linewright/base/diagnostic.hpp"
@@ -48,14 +48,16 @@ class Reader {
   void read_record(const Json& record) {
     if (!record.is_object()) {
       problem("is neither a JSON record of decisions nor an event log",
-              "see docs/formats/decisions.md; a record is {\"crew\": ..., \"start\": ..., \"decisions\": [...]}");
+              "see docs/formats/decisions.md; a record is {\"crew\": ..., \"start\": ..., "
+              "\"decisions\": [...]}");
       return;
     }
     run_.setup.order = integer(record, "order", 1, 1'000'000).value_or(line_.order.quantity);
     run_.setup.horizon = line_.horizon.ticks(run_.setup.order);
     read_start(record);
     if (!record.contains("decisions") || !record["decisions"].is_array()) {
-      problem("has no list 'decisions'", "write \"decisions\": [{\"tick\": 1, \"task\": ...}, ...]");
+      problem("has no list 'decisions'",
+              "write \"decisions\": [{\"tick\": 1, \"task\": ...}, ...]");
     } else {
       std::size_t number = 0;
       for (const Json& decision : record["decisions"]) read_decision(decision, ++number);
@@ -63,7 +65,8 @@ class Reader {
     // A record may have had another limit: never cut it off before its own end.
     if (!run_.decisions.empty()) {
       const Tick last = run_.decisions.back().tick;
-      run_.setup.horizon = std::max(run_.setup.horizon, last > kMaxTicks / 2 ? kMaxTicks : last * 2);
+      run_.setup.horizon =
+          std::max(run_.setup.horizon, last > kMaxTicks / 2 ? kMaxTicks : last * 2);
     }
     read_milestones(record);
     if (record.contains("finished") && record["finished"].is_boolean()) {
@@ -195,8 +198,9 @@ class Reader {
       const auto [first, count] = members_of(task->crew[slot]);
       if (!member.is_number_integer() || member.get<std::int64_t>() < 0 ||
           member.get<std::int64_t>() >= static_cast<std::int64_t>(count)) {
-        problem(fmt::format("decision {}: {} {} does not exist", number, role, shorten(member)),
-                fmt::format("{}s are numbered 0 to {}", role, static_cast<std::int64_t>(count) - 1));
+        problem(
+            fmt::format("decision {}: {} {} does not exist", number, role, shorten(member)),
+            fmt::format("{}s are numbered 0 to {}", role, static_cast<std::int64_t>(count) - 1));
         continue;
       }
       decision.members[slot] = static_cast<std::int16_t>(first + member.get<std::size_t>());
@@ -211,11 +215,13 @@ class Reader {
       ++number;
       if (!entry.is_array() || entry.size() < 2 || !entry[0].is_number_integer() ||
           !entry[1].is_string()) {
-        problem(fmt::format("milestone {} is {}", number, shorten(entry)), "write [tick, name, label]");
+        problem(fmt::format("milestone {} is {}", number, shorten(entry)),
+                "write [tick, name, label]");
         continue;
       }
       RecordedMilestone milestone;
-      milestone.tick = static_cast<Tick>(std::clamp<std::int64_t>(entry[0].get<std::int64_t>(), 0, kMaxTicks));
+      milestone.tick =
+          static_cast<Tick>(std::clamp<std::int64_t>(entry[0].get<std::int64_t>(), 0, kMaxTicks));
       milestone.name = entry[1].get<std::string>();
       if (entry.size() > 2 && entry[2].is_string()) milestone.label = entry[2].get<std::string>();
       run_.milestones.push_back(std::move(milestone));
@@ -225,7 +231,8 @@ class Reader {
   // --- an event log of ours ---------------------------------------------------------------------
 
   void read_log(const std::string& text) {
-    Json record{{"start", Json::object()}, {"decisions", Json::array()}, {"milestones", Json::array()}};
+    Json record{
+        {"start", Json::object()}, {"decisions", Json::array()}, {"milestones", Json::array()}};
     std::size_t begin = 0;
     int number = 0;
     bool complete = false;
@@ -296,7 +303,8 @@ class Reader {
       const std::string id = member.is_string() ? member.get<std::string>() : std::string();
       const std::size_t dot = id.rfind('.');
       int number = -1;
-      if (dot != std::string::npos) std::from_chars(id.data() + dot + 1, id.data() + id.size(), number);
+      if (dot != std::string::npos)
+        std::from_chars(id.data() + dot + 1, id.data() + id.size(), number);
       list.push_back(number >= 0 ? Json(number) : member);
     }
     return list;
@@ -336,7 +344,8 @@ std::vector<Tick> ticks_of(const RecordedMilestone& wanted, const LineModel& lin
 RecordedRun load_recorded_run(const std::string& file, const LineModel& line) {
   std::ifstream in(file, std::ios::binary);
   if (!in) {
-    throw ScenarioError(file, "cannot be read", "name a record of decisions or an event log that exists");
+    throw ScenarioError(file, "cannot be read",
+                        "name a record of decisions or an event log that exists");
   }
   const std::string text((std::istreambuf_iterator<char>(in)), std::istreambuf_iterator<char>());
   return Reader(file, line).read(text);

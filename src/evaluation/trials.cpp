@@ -25,8 +25,8 @@ class Bench {
         seed_(seed) {}
 
   TrialResult run(const RunOptions& crew, std::size_t trial, const CancelToken* cancel) {
-    const RunSetup setup = sample_setup(simulator_.line(), crew,
-                                        RandomStream::derive(seed_, "setup", trial).next());
+    const RunSetup setup =
+        sample_setup(simulator_.line(), crew, RandomStream::derive(seed_, "setup", trial).next());
     const std::uint64_t seed = RandomStream::derive(seed_, "run", trial).next();
     run_episode(simulator_, state_, setup, seed, *planner_, *allocator_, nullptr, cancel);
     return measure(state_, simulator_.progress(state_));
@@ -78,7 +78,8 @@ void average_shares(const std::vector<TrialResult>& trials, TrialSummary& summar
       summary.workers[w].wait += trial.workers[w].wait;
       summary.workers[w].idle += trial.workers[w].idle;
     }
-    for (std::size_t m = 0; m < trial.machines.size(); ++m) summary.machines[m] += trial.machines[m];
+    for (std::size_t m = 0; m < trial.machines.size(); ++m)
+      summary.machines[m] += trial.machines[m];
   }
   for (std::size_t w = 0; w < summary.workers.size(); ++w) {
     for (double* share : {&summary.workers[w].work, &summary.workers[w].travel,
@@ -135,7 +136,8 @@ std::vector<std::vector<TrialResult>> run_trials(const Scenario& scenario,
     try {
       Bench bench(simulator, configuration, plan.seed);
       constexpr std::size_t kChunk = 8;  // runs per grab: enough to keep the threads apart
-      for (std::size_t begin = next.fetch_add(kChunk); begin < total; begin = next.fetch_add(kChunk)) {
+      for (std::size_t begin = next.fetch_add(kChunk); begin < total;
+           begin = next.fetch_add(kChunk)) {
         for (std::size_t job = begin; job < std::min(begin + kChunk, total); ++job) {
           if (cancel != nullptr && cancel->requested()) return;
           const std::size_t crew = job / plan.trials;
@@ -175,10 +177,12 @@ TrialSummary summarize(const std::vector<TrialResult>& trials, const RunOptions&
   TrialSummary summary;
   for (const auto& count : crew.workers) summary.crew.push_back(count.value_or(0));
   summary.makespan = spread_over(trials, [](const TrialResult& t) { return double(t.makespan); });
-  summary.distance_m = spread_over(trials, [](const TrialResult& t) { return double(t.distance_mm) / 1000.0; });
-  summary.distance_ticks = spread_over(trials, [](const TrialResult& t) { return double(t.distance_ticks); });
-  summary.success_rate =
-      mean_of(trials, [](const TrialResult& t) { return t.status == RunStatus::kFinished ? 1.0 : 0.0; });
+  summary.distance_m =
+      spread_over(trials, [](const TrialResult& t) { return double(t.distance_mm) / 1000.0; });
+  summary.distance_ticks =
+      spread_over(trials, [](const TrialResult& t) { return double(t.distance_ticks); });
+  summary.success_rate = mean_of(
+      trials, [](const TrialResult& t) { return t.status == RunStatus::kFinished ? 1.0 : 0.0; });
   summary.progress = mean_of(trials, [](const TrialResult& t) { return t.progress; });
   summary.decisions = mean_of(trials, [](const TrialResult& t) { return double(t.decisions); });
   average_shares(trials, summary);

@@ -57,7 +57,8 @@ class XmlCheck {
   std::string name() {
     const std::size_t begin = at_;
     const auto part = [](char c) {
-      return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' || c == ':';
+      return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
+             c == '-' || c == ':';
     };
     while (at_ < text_.size() && part(text_[at_])) ++at_;
     if (at_ == begin) say("no name");

@@ -64,7 +64,8 @@ class Search {
     std::vector<SimulationState> open;
     open.push_back(std::move(start));
     while (!open.empty()) {
-      if (cancel_ != nullptr && cancel_->requested()) return {Liveness::Verdict::kUnknown, seen.size()};
+      if (cancel_ != nullptr && cancel_->requested())
+        return {Liveness::Verdict::kUnknown, seen.size()};
       SimulationState state = std::move(open.back());
       open.pop_back();
       const RunStatus status = advance_and_join(simulator_, state, *allocator_);
@@ -123,10 +124,10 @@ const SimulationState& after(const Trail& trail, std::size_t n) {
   return n + 1 < trail.before.size() ? trail.before[n + 1] : trail.end;
 }
 
-/// The first decision of a stuck run after which the order could not be finished any more. Once dead,
-/// always dead: bisection.
-DeadState first_fatal(const Simulator& simulator, const Trail& trail, const DeadStateOptions& options,
-                      const CancelToken* cancel) {
+/// The first decision of a stuck run after which the order could not be finished any more. Once
+/// dead, always dead: bisection.
+DeadState first_fatal(const Simulator& simulator, const Trail& trail,
+                      const DeadStateOptions& options, const CancelToken* cancel) {
   Search search(simulator, options, cancel);
   std::size_t alive = 0;                       // decisions 0 .. alive - 1 leave it alive
   std::size_t dead = trail.decisions.size();   // decision dead - 1 leaves it dead
@@ -142,7 +143,8 @@ DeadState first_fatal(const Simulator& simulator, const Trail& trail, const Dead
     }
   }
   DeadState found;
-  found.decisions.assign(trail.decisions.begin(), trail.decisions.begin() + static_cast<std::ptrdiff_t>(dead));
+  found.decisions.assign(trail.decisions.begin(),
+                         trail.decisions.begin() + static_cast<std::ptrdiff_t>(dead));
   found.proven = last.verdict == Liveness::Verdict::kDead;
   found.states_searched = last.states_searched;
   found.stuck_at = trail.end.now;
@@ -188,8 +190,9 @@ DeadStateReport find_dead_states(const Simulator& simulator, const RunOptions& c
     merge(report.found, first_fatal(simulator, trail, options, cancel));
   }
   std::sort(report.found.begin(), report.found.end(), [](const DeadState& a, const DeadState& b) {
-    return a.decisions.size() != b.decisions.size() ? a.decisions.size() < b.decisions.size()
-                                                    : a.decisions.back().task < b.decisions.back().task;
+    return a.decisions.size() != b.decisions.size()
+               ? a.decisions.size() < b.decisions.size()
+               : a.decisions.back().task < b.decisions.back().task;
   });
   return report;
 }

@@ -1,10 +1,10 @@
 #include "linewright/planning/planner.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <charconv>
 #include <utility>
-
-#include <fmt/format.h>
 
 #include "linewright/base/diagnostic.hpp"
 #include "linewright/base/random.hpp"
@@ -77,8 +77,9 @@ std::vector<TaskId> parse_priority(const LineModel& line, std::string_view list)
     const std::size_t comma = std::min(list.find(','), list.size());
     const TaskId task = find_task(line, list.substr(0, comma));
     if (std::find(order.begin(), order.end(), task) != order.end()) {
-      throw ScenarioError({}, fmt::format("priority: task '{}' is listed twice",
-                                          line.tasks[task.index()].name), "list each task once");
+      throw ScenarioError(
+          {}, fmt::format("priority: task '{}' is listed twice", line.tasks[task.index()].name),
+          "list each task once");
     }
     order.push_back(task);
     list.remove_prefix(std::min(comma + 1, list.size()));

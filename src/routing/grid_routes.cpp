@@ -9,14 +9,29 @@
 namespace linewright {
 namespace {
 
-/// Goes in straight lines from each point to the last one that is seen from there.
-std::vector<Point2> pulled_tight(const OccupancyGrid& grid, const std::vector<Point2>& points) {
-  if (points.size() < 3) return points;
-  std::vector<Point2> tight = {points.front()};
-  for (std::size_t i = 1; i + 1 < points.size(); ++i) {
-    if (!line_of_sight(grid, tight.back(), points[i + 1])) tight.push_back(points[i]);
+/// The last point that is seen from `points[from]`, found by doubling the distance and halving it
+/// again: not always the very last one, but always one that is seen.
+std::size_t last_seen(const OccupancyGrid& grid, const std::vector<Point2>& points, std::size_t from) {
+  const std::size_t end = points.size();
+  std::size_t seen = from + 1;  // neighbours always see each other
+  std::size_t step = 1;
+  while (seen + step < end && line_of_sight(grid, points[from], points[seen + step])) {
+    seen += step;
+    step *= 2;
   }
-  tight.push_back(points.back());
+  for (; step > 0; step /= 2) {
+    if (seen + step < end && line_of_sight(grid, points[from], points[seen + step])) seen += step;
+  }
+  return seen;
+}
+
+/// Goes in straight lines from each point to one far ahead that is seen from there.
+std::vector<Point2> pulled_tight(const OccupancyGrid& grid, const std::vector<Point2>& points) {
+  std::vector<Point2> tight = {points.front()};
+  for (std::size_t i = 0; i + 1 < points.size();) {
+    i = last_seen(grid, points, i);
+    tight.push_back(points[i]);
+  }
   return tight;
 }
 

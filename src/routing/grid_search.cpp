@@ -1,81 +1,79 @@
 #include "grid_search.hpp"
 
 #include <algorithm>
-#include <array>
 #include <numbers>
-#include <unordered_set>
 
 namespace linewright {
 namespace {
 
-struct Neighbour {
-  std::int32_t column;
-  std::int32_t row;
-};
-
-// Straight steps first: among ways of equal cost the one with the earlier step wins, and straight
+// Straight steps first: among ways of equal cost the one that was found first stays, and straight
 // ways are easier to pull tight.
-constexpr std::array<Neighbour, 8> kNeighbours = {
+constexpr std::array<Cell, 8> kSteps = {
     {{1, 0}, {-1, 0}, {0, 1}, {0, -1}, {1, 1}, {1, -1}, {-1, 1}, {-1, -1}}};
+
+constexpr std::size_t kStraight = 4;  // steps before this one
 
 }  // namespace
 
 GridSearch::GridSearch(const OccupancyGrid& grid)
-    : grid_(grid), cost_(grid.size(), -1.0), settled_(grid.size(), 0), parent_(grid.size(), 0) {}
+    : grid_(grid), steps_(grid.size()), offset_{}, cost_(grid.size(), -1.0), parent_(grid.size(), 0) {
+  for (std::size_t i = 0; i < kSteps.size(); ++i) {
+    offset_[i] = std::int64_t{kSteps[i].row} * grid.columns() + kSteps[i].column;
+  }
+  for (std::size_t i = 0; i < steps_.size(); ++i) steps_[i] = allowed_steps(grid.cell(i));
+}
+
+std::uint8_t GridSearch::allowed_steps(Cell cell) const {
+  if (grid_.occupied(cell)) return 0;
+  unsigned steps = 0;
+  for (std::size_t i = 0; i < kSteps.size(); ++i) {
+    const Cell step = kSteps[i];
+    const bool free = !grid_.occupied({cell.column + step.column, cell.row + step.row}) &&
+                      !grid_.occupied({cell.column + step.column, cell.row}) &&
+                      !grid_.occupied({cell.column, cell.row + step.row});
+    if (free) steps |= 1U << i;
+  }
+  return static_cast<std::uint8_t>(steps);
+}
 
 void GridSearch::clear() {
-  for (const std::size_t index : touched_) {
-    cost_[index] = -1.0;
-    settled_[index] = 0;
-  }
+  for (const std::uint32_t index : touched_) cost_[index] = -1.0;
   touched_.clear();
-  open_.clear();
+  for (auto& list : open_) list.clear();
+  settled_below_ = 0.0;
+}
+
+bool GridSearch::all_settled(const std::vector<Cell>& goals) const {
+  return std::all_of(goals.begin(), goals.end(), [this](Cell goal) { return cost(goal) >= 0.0; });
 }
 
 void GridSearch::run(Cell start, const std::vector<Cell>& goals) {
   clear();
-  std::unordered_set<std::size_t> missing;
-  for (const Cell goal : goals) missing.insert(grid_.index(goal));
-  reach(start, 0.0, grid_.index(start));
-  // Equal costs are ordered by index, so that the result does not depend on the heap's inner order.
-  const auto later = [](const Open& a, const Open& b) {
-    return a.cost != b.cost ? a.cost > b.cost : a.index > b.index;
-  };
-  while (!open_.empty() && !missing.empty()) {
-    std::pop_heap(open_.begin(), open_.end(), later);
-    const Open best = open_.back();
-    open_.pop_back();
-    if (settled_[best.index] != 0) continue;
-    settled_[best.index] = 1;
-    missing.erase(best.index);
-    const std::size_t before = open_.size();
-    expand(grid_.cell(best.index), best.cost);
-    for (std::size_t end = before + 1; end <= open_.size(); ++end) {
-      std::push_heap(open_.begin(), open_.begin() + static_cast<std::ptrdiff_t>(end), later);
-    }
-  }
-  // What is still open was not proven to be reached by its shortest way.
-  for (const std::size_t index : touched_) {
-    if (settled_[index] == 0) cost_[index] = -1.0;
+  const auto first = static_cast<std::uint32_t>(grid_.index(start));
+  reach(first, 0.0, first);
+  std::size_t empty_lists = 0;
+  for (std::size_t whole = 0; empty_lists < open_.size(); ++whole) {
+    std::vector<Open>& list = open_[whole % open_.size()];
+    empty_lists = list.empty() ? empty_lists + 1 : 0;
+    for (const Open& open : list) expand(open);  // adds to other lists only
+    list.clear();
+    settled_below_ += 1.0;
+    // Looking at the goals takes time, too: not after every list.
+    if (whole % 16 == 0 && all_settled(goals)) return;
   }
 }
 
-void GridSearch::expand(Cell cell, double cost) {
-  for (const Neighbour& step : kNeighbours) {
-    const Cell next{cell.column + step.column, cell.row + step.row};
-    if (grid_.occupied(next)) continue;
-    const bool diagonal = step.column != 0 && step.row != 0;
-    if (diagonal && (grid_.occupied({cell.column + step.column, cell.row}) ||
-                     grid_.occupied({cell.column, cell.row + step.row}))) {
-      continue;
-    }
-    reach(next, cost + (diagonal ? std::numbers::sqrt2 : 1.0), grid_.index(cell));
+void GridSearch::expand(const Open& open) {
+  if (cost_[open.index] < open.cost) return;  // a shorter way was found meanwhile
+  const std::uint8_t steps = steps_[open.index];
+  for (std::size_t i = 0; i < kSteps.size(); ++i) {
+    if ((steps >> i & 1) == 0) continue;
+    const double cost = open.cost + (i < kStraight ? 1.0 : std::numbers::sqrt2);
+    reach(static_cast<std::uint32_t>(open.index + offset_[i]), cost, open.index);
   }
 }
 
-void GridSearch::reach(Cell cell, double cost, std::size_t parent) {
-  const std::size_t index = grid_.index(cell);
-  if (settled_[index] != 0) return;
+void GridSearch::reach(std::uint32_t index, double cost, std::uint32_t parent) {
   if (cost_[index] < 0.0) {
     touched_.push_back(index);
   } else if (cost_[index] <= cost) {
@@ -83,13 +81,17 @@ void GridSearch::reach(Cell cell, double cost, std::size_t parent) {
   }
   cost_[index] = cost;
   parent_[index] = parent;
-  open_.push_back({cost, index});
+  open_[static_cast<std::size_t>(cost) % open_.size()].push_back({cost, index});
+}
+
+double GridSearch::cost(Cell cell) const {
+  const double cost = cost_[grid_.index(cell)];
+  return cost < settled_below_ ? cost : -1.0;
 }
 
 std::vector<Cell> GridSearch::way_to(Cell goal) const {
-  std::vector<Cell> way;
-  std::size_t index = grid_.index(goal);
-  way.push_back(goal);
+  std::vector<Cell> way = {goal};
+  auto index = static_cast<std::uint32_t>(grid_.index(goal));
   while (parent_[index] != index) {
     index = parent_[index];
     way.push_back(grid_.cell(index));

@@ -112,6 +112,12 @@ void read_machine_travel(BuildState& state, const SourceNode& node, const std::s
     for (const SourceEntry& cell : row.value.entries) {
       const auto from = position(state, machine, cell.key, cell.mark, title);
       if (!to || !from || cell.value.is_broken()) continue;
+      if (*to == *from) {
+        state.problems.error(cell.mark,
+                             fmt::format("{}: a way from {} to itself", title, in_quotes(cell.key)),
+                             "remove it; staying takes no time");
+        continue;
+      }
       machine.travel[static_cast<std::size_t>(*to)][static_cast<std::size_t>(*from)] =
           integer_or(row.value, cell.key, 0);
     }
@@ -162,7 +168,7 @@ std::optional<std::int32_t> position(BuildState& state, const Machine& machine,
   if (found != machine.positions.end()) {
     return static_cast<std::int32_t>(found - machine.positions.begin());
   }
-  std::string hint = name_hint(name, machine.positions);
+  std::string hint = state.problems.hint(name, machine.positions);
   if (hint.empty()) hint = "give the machine 'positions'";
   const bool is_own = title == "machine " + in_quotes(machine.name);
   const std::string of = is_own ? "" : fmt::format(" of machine {}", in_quotes(machine.name));

@@ -55,7 +55,8 @@ std::string variables_of(Section section, std::string_view name) {
 
 using LookupResult = std::variant<Variable, ConditionFault>;
 
-LookupResult no_such_name(const NameTable& names, std::string_view name) {
+/// All names that a condition may start with.
+std::vector<std::string> names_in_conditions(const NameTable& names) {
   std::vector<std::string> known = {"order"};
   for (std::size_t i = 0; i < kSections; ++i) {
     const auto section = static_cast<Section>(i);
@@ -63,11 +64,11 @@ LookupResult no_such_name(const NameTable& names, std::string_view name) {
     const auto& more = names.names(section);
     known.insert(known.end(), more.begin(), more.end());
   }
-  return ConditionFault{fmt::format("there is nothing called {}", in_quotes(name)),
-                        name_hint(name, known)};
+  return known;
 }
 
-LookupResult look_up(const NameTable& names, std::string_view text) {
+LookupResult look_up(const BuildState& state, std::string_view text) {
+  const NameTable& names = state.names;
   if (text == "order") return Variable{VariableKind::kOrder, 0};
   std::string_view name = text;
   std::string_view word;
@@ -83,7 +84,10 @@ LookupResult look_up(const NameTable& names, std::string_view text) {
     word = text.substr(dot + 1);
     found = names.find_in_conditions(name);
   }
-  if (!found) return no_such_name(names, text);
+  if (!found) {
+    return ConditionFault{fmt::format("there is nothing called {}", in_quotes(text)),
+                          state.problems.hint(text, [&] { return names_in_conditions(names); })};
+  }
   for (const Attribute& attribute : kVariables) {
     if (attribute.section != found->section || attribute.word != word) continue;
     const bool is_berth = names.node(found->section, found->id).find("carrier") != nullptr;
@@ -101,7 +105,7 @@ LookupResult look_up(const NameTable& names, std::string_view text) {
 
 std::optional<Condition> parse_at(BuildState& state, const SourceNode& node,
                                   const std::string& subject) {
-  const VariableLookup lookup = [&state](std::string_view name) { return look_up(state.names, name); };
+  const VariableLookup lookup = [&state](std::string_view name) { return look_up(state, name); };
   auto parsed = parse_condition(node.text, lookup);
   if (auto* condition = std::get_if<Condition>(&parsed)) return std::move(*condition);
   const auto& fault = std::get<ConditionFault>(parsed);
@@ -139,10 +143,10 @@ std::optional<std::int32_t> reference(BuildState& state, Section section, const 
     state.problems.error(mark,
                          fmt::format("{}: {} is {}, not {}", title, in_quotes(name),
                                      with_article(*other), wanted),
-                         name_hint(name, state.names.names(section)));
+                         state.problems.hint(name, state.names.names(section)));
     return std::nullopt;
   }
-  std::string hint = name_hint(name, state.names.names(section));
+  std::string hint = state.problems.hint(name, state.names.names(section));
   if (hint.empty()) hint = fmt::format("the file has no '{}' yet", section_key(section));
   state.problems.error(
       mark, fmt::format("{}: there is no {} {}", title, section_noun(section), in_quotes(name)), hint);
@@ -166,12 +170,12 @@ Condition condition_at(BuildState& state, const SourceNode& mapping, std::string
     if (item.is_broken()) continue;
     const auto condition = parse_at(state, item, subject);
     if (!condition) continue;
-    auto joined = both(result, *condition);
+    auto joined = both(std::move(result), *condition);
     if (!joined) {
-      state.problems.error(item.mark, fmt::format("{}: the list is too large when written as alternatives",
+      state.problems.error(item.mark, fmt::format("{}: the list of conditions is too long",
                                                   subject),
                            "split the operation or task in two");
-      break;
+      return {};
     }
     result = std::move(*joined);
   }

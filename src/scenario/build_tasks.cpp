@@ -53,11 +53,14 @@ class TaskBuilder {
 
   std::optional<std::int32_t> member_kind(const SourceEntry& entry) {
     if (const auto worker = state_.names.find(Section::kWorkers, entry.key)) return worker;
-    std::vector<std::string> known = state_.names.names(Section::kWorkers);
-    const auto& carriers = state_.names.names(Section::kCarriers);
-    known.insert(known.end(), carriers.begin(), carriers.end());
+    const auto known = [this] {
+      std::vector<std::string> names = state_.names.names(Section::kWorkers);
+      const auto& carriers = state_.names.names(Section::kCarriers);
+      names.insert(names.end(), carriers.begin(), carriers.end());
+      return names;
+    };
     error(entry.mark, fmt::format("there is no worker or carrier {}", in_quotes(entry.key)),
-          name_hint(entry.key, known));
+          state_.problems.hint(entry.key, known));
     return std::nullopt;
   }
 
@@ -153,7 +156,7 @@ class TaskBuilder {
     } else {
       actors.erase(std::unique(actors.begin(), actors.end()), actors.end());
       error(entry.mark, fmt::format("{} is not in the crew", in_quotes(entry.key)),
-            name_hint(entry.key, actors));
+            state_.problems.hint(entry.key, actors));
     }
     return slots;
   }
@@ -239,7 +242,7 @@ class TaskBuilder {
       if (task_.crew[i].role == node.text) return i;
       carriers.push_back(task_.crew[i].role);
     }
-    std::string hint = name_hint(node.text, carriers);
+    std::string hint = state_.problems.hint(node.text, carriers);
     if (hint.empty()) hint = fmt::format("add it to the crew: {}: empty", node.text);
     error(node.mark, fmt::format("there is no carrier {} in the crew", in_quotes(node.text)), hint);
     return std::nullopt;
@@ -253,12 +256,15 @@ class TaskBuilder {
     if (const auto place = state_.names.find(Section::kPlaces, node.text)) {
       return Endpoint{PlaceId(*place), 0};
     }
-    std::vector<std::string> known = state_.names.names(Section::kPlaces);
-    for (const CrewSlot& slot : task_.crew) {
-      if (slot.carrier) known.push_back(slot.role);
-    }
+    const auto known = [this] {
+      std::vector<std::string> names = state_.names.names(Section::kPlaces);
+      for (const CrewSlot& slot : task_.crew) {
+        if (slot.carrier) names.push_back(slot.role);
+      }
+      return names;
+    };
     error(node.mark, fmt::format("{} is neither a place nor the crew's carrier", in_quotes(node.text)),
-          name_hint(node.text, known));
+          state_.problems.hint(node.text, known));
     return std::nullopt;
   }
 

@@ -116,12 +116,15 @@ class Reachability {
 /// Follows the first way that could have filled a place back to where it breaks off.
 class Explanation {
  public:
+  static constexpr int kMostLinks = 5;
+
   Explanation(const LineModel& line, const Reachability& reachable)
       : line_(line), reachable_(reachable), seen_(line.places.size(), false) {}
 
   [[nodiscard]] std::string why_empty(PlaceId id) {
     if (seen_[id.index()]) return fmt::format("{} waits for itself in a circle", named(id));
     seen_[id.index()] = true;
+    ++links_;
     if (!reachable_.is_served(id)) return fmt::format("no task parks a carrier in {}", named(id));
     for (const Operation& operation : line_.operations) {
       const auto& made = operation.produces;
@@ -139,16 +142,16 @@ class Explanation {
   }
 
   std::string why_idle(const Operation& operation) {
+    const bool is_named = links_ <= kMostLinks;
+    std::string reason;
     for (const TokenFlow& flow : operation.consumes) {
-      if (reachable_.is_filled(flow.place)) continue;
-      return fmt::format("operation {} never starts: {}", in_quotes(operation.name), why_empty(flow.place));
+      if (reason.empty() && !reachable_.is_filled(flow.place)) reason = why_empty(flow.place);
     }
     for (const TokenFlow& flow : operation.produces) {
-      if (!reachable_.is_served(flow.place)) {
-        return fmt::format("operation {} never starts: {}", in_quotes(operation.name), why_empty(flow.place));
-      }
+      if (reason.empty() && !reachable_.is_served(flow.place)) reason = why_empty(flow.place);
     }
-    return fmt::format("operation {} never starts", in_quotes(operation.name));
+    if (!is_named) return reason;  // a chain that long is cut in the middle
+    return fmt::format("operation {} never starts: {}", in_quotes(operation.name), reason);
   }
 
   struct Source {
@@ -182,6 +185,7 @@ class Explanation {
   const LineModel& line_;
   const Reachability& reachable_;
   std::vector<bool> seen_;
+  int links_ = 0;
 };
 
 bool has_default_goal(const SourceNode& root) {

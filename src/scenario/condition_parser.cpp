@@ -19,7 +19,7 @@ using Kind = ConditionToken::Kind;
 using Clauses = std::vector<std::vector<Comparison>>;
 
 constexpr std::size_t kLongestText = 10'000;
-constexpr std::size_t kMostComparisons = 4'000;
+constexpr std::size_t kMostComparisons = 1'000;
 constexpr std::size_t kMostTerms = 64;
 constexpr int kDeepest = 64;
 
@@ -41,9 +41,13 @@ Clauses any(Clauses a, Clauses b) {
 }
 
 /// Every clause of one with every clause of the other. Nothing when that would be too large.
-std::optional<Clauses> all(const Clauses& a, const Clauses& b) {
+std::optional<Clauses> all(Clauses a, const Clauses& b) {
   const std::size_t size = comparisons_in(a) * b.size() + comparisons_in(b) * a.size();
   if (!is_small(size)) return std::nullopt;
+  if (b.size() == 1) {  // nothing is multiplied: no need to copy what is there already
+    for (auto& clause : a) clause.insert(clause.end(), b.front().begin(), b.front().end());
+    return a;
+  }
   Clauses product;
   for (const auto& left : a) {
     for (const auto& right : b) {
@@ -139,7 +143,7 @@ class Parser {
   static Clauses join(Clauses a, Clauses b, bool must_hold_both) {
     if (!must_hold_both) {
       if (is_small(comparisons_in(a) + comparisons_in(b))) return any(std::move(a), std::move(b));
-    } else if (auto product = all(a, b)) {
+    } else if (auto product = all(std::move(a), b)) {
       return std::move(*product);
     }
     throw Fault{{"too large when written as alternatives", "split the operation or task in two"}};
@@ -258,15 +262,17 @@ std::variant<Condition, ConditionFault> parse_condition(std::string_view text,
   }
 }
 
-std::optional<Condition> both(const Condition& a, const Condition& b) {
+std::optional<Condition> both(Condition a, const Condition& b) {
   if (a.always()) return b;
   if (b.always()) return a;
-  auto clauses = all(a.any_of, b.any_of);
-  if (!clauses) return std::nullopt;
+  if (a.text.size() + b.text.size() > kLongestText) return std::nullopt;
   const auto bracketed = [](const Condition& c) {
     return c.any_of.size() > 1 ? "(" + c.text + ")" : c.text;
   };
-  return Condition{std::move(*clauses), bracketed(a) + " and " + bracketed(b)};
+  std::string text = bracketed(a) + " and " + bracketed(b);
+  auto clauses = all(std::move(a.any_of), b.any_of);
+  if (!clauses) return std::nullopt;
+  return Condition{std::move(*clauses), std::move(text)};
 }
 
 }  // namespace linewright::loading

@@ -20,11 +20,11 @@ struct ConditionFault {
 using VariableLookup = std::function<std::variant<Variable, ConditionFault>(std::string_view name)>;
 
 /// Parses one condition into disjunctive normal form. `not` goes into the relations, so that no
-/// negation is left. Bounded: conditions of more than a few thousand comparisons are refused.
+/// negation is left. Bounded: conditions of more than 1000 comparisons are refused.
 [[nodiscard]] std::variant<Condition, ConditionFault> parse_condition(std::string_view text,
                                                                       const VariableLookup& lookup);
 
 /// Both must hold. Nothing when the result would be too large.
-[[nodiscard]] std::optional<Condition> both(const Condition& a, const Condition& b);
+[[nodiscard]] std::optional<Condition> both(Condition a, const Condition& b);
 
 }  // namespace linewright::loading

@@ -23,6 +23,6 @@ inline constexpr double kLargestCoordinate = 1e5;       ///< metres
 inline constexpr double kSmallestCell = 0.01;           ///< metres
 inline constexpr double kShortestTick = 1e-3;           ///< seconds
 inline constexpr std::int64_t kMostCells = 4'000'000;   ///< of the map's grid
-inline constexpr double kMostGridWork = 3e8;             ///< cell visits to find all ways of one kind
+inline constexpr double kMostGridWork = 5e7;             ///< cell visits to find all ways of one kind
 
 }  // namespace linewright::loading

@@ -7,13 +7,6 @@
 #include <fmt/format.h>
 
 namespace linewright::loading {
-namespace {
-
-// More than anybody reads; keeps a hostile file from filling the memory with messages.
-constexpr std::size_t kMostKept = 200;
-
-}  // namespace
-
 int Problems::add_file(std::string name) {
   files_.push_back(std::move(name));
   return static_cast<int>(files_.size()) - 1;

@@ -138,7 +138,7 @@ class ShapeChecker {
 
   void refuse(SourceNode& node, const Shape& shape, const Location& where) {
     std::string hint;
-    if (shape.kind == Kind::kChoice) hint = name_hint(node.text, shape.choices);
+    if (shape.kind == Kind::kChoice) hint = problems_.hint(node.text, shape.choices);
     if (node.is_null() && fits_type(empty_mapping(), shape)) hint = "write {} for an empty one";
     problems_.error(
         node.mark,
@@ -214,7 +214,7 @@ class ShapeChecker {
     for (const Field& field : shape.fields) known.push_back(field.key);
     problems_.error(entry.mark,
                     fmt::format("{}unknown key {}", where.prefix(), in_quotes(entry.key)),
-                    name_hint(entry.key, known));
+                    problems_.hint(entry.key, known));
   }
 
   void report_missing(const SourceNode& node, const Field& field, const Location& where) {
@@ -249,12 +249,12 @@ class ShapeChecker {
     return chosen.noun.empty() ? where : where.inside(chosen.noun);
   }
 
-  static std::string nearest_variant(const SourceNode& node, const Shape& shape) {
+  std::string nearest_variant(const SourceNode& node, const Shape& shape) const {
     std::vector<std::string> known;
     for (const ShapePtr& alternative : shape.alternatives) {
       known.push_back(alternative->fields.front().key);
     }
-    return name_hint(node.entries.front().key, known);
+    return problems_.hint(node.entries.front().key, known);
   }
 
   void check_one_of(SourceNode& node, const Shape& shape, const Location& where) {

@@ -72,11 +72,20 @@ void SourceNode::break_off() {
   entries.clear();
 }
 
-std::size_t count_nodes(const SourceNode& node) {
-  std::size_t count = 1;
-  for (const SourceNode& item : node.items) count += count_nodes(item);
-  for (const SourceEntry& entry : node.entries) count += count_nodes(entry.value);
-  return count;
+std::size_t weight_of(std::string_view text) { return text.size() / 32; }
+
+std::size_t weight_of(const SourceNode& node) {
+  std::size_t weight = 1 + weight_of(node.text);
+  for (const SourceNode& item : node.items) weight += weight_of(item);
+  for (const SourceEntry& entry : node.entries) weight += weight_of(entry.key) + weight_of(entry.value);
+  return weight;
+}
+
+std::size_t depth_of(const SourceNode& node) {
+  std::size_t deepest = 0;
+  for (const SourceNode& item : node.items) deepest = std::max(deepest, depth_of(item));
+  for (const SourceEntry& entry : node.entries) deepest = std::max(deepest, depth_of(entry.value));
+  return deepest + 1;
 }
 
 std::uint64_t content_hash(const SourceNode& root) {

@@ -61,8 +61,12 @@ struct SourceEntry {
   SourceNode value;
 };
 
-/// Nodes in the tree, this one included.
-[[nodiscard]] std::size_t count_nodes(const SourceNode& node);
+/// What limits are counted in: one for every node, more for one with a long text.
+[[nodiscard]] std::size_t weight_of(const SourceNode& node);
+[[nodiscard]] std::size_t weight_of(std::string_view text);
+
+/// Levels of nesting; 1 for a scalar.
+[[nodiscard]] std::size_t depth_of(const SourceNode& node);
 
 /// FNV-1a over keys and values in order; comments, layout and quoting do not matter.
 [[nodiscard]] std::uint64_t content_hash(const SourceNode& root);

@@ -75,8 +75,8 @@ std::vector<Variable> read_variables(const SourceNode& node, Problems& problems)
 
 class Expander {
  public:
-  Expander(std::vector<Variable> variables, std::size_t nodes, Problems& problems)
-      : variables_(std::move(variables)), nodes_(nodes), problems_(problems) {}
+  Expander(std::vector<Variable> variables, std::size_t weight, Problems& problems)
+      : variables_(std::move(variables)), weight_(weight), problems_(problems) {}
 
   void expand(SourceNode& node, const std::shared_ptr<const Bindings>& bindings) {
     node.bindings = bindings;
@@ -113,9 +113,9 @@ class Expander {
   void multiply(const SourceEntry& entry, const std::vector<const Variable*>& variables,
                 const std::shared_ptr<const Bindings>& outer, std::vector<SourceEntry>& expanded) {
     std::vector<std::size_t> digits(variables.size(), 0);
-    const std::size_t size = count_nodes(entry.value);
+    const std::size_t weight = weight_of(entry.key) + weight_of(entry.value);
     while (true) {
-      if (!may_add(size, entry)) return;
+      if (!may_add(weight, entry.mark)) return;
       auto bindings = std::make_shared<Bindings>(outer ? *outer : Bindings{});
       for (std::size_t i = 0; i < variables.size(); ++i) {
         const Variable& v = *variables[i];
@@ -128,12 +128,11 @@ class Expander {
     }
   }
 
-  bool may_add(std::size_t nodes, const SourceEntry& entry) {
-    if (nodes_ > kMaxNodes) return false;  // was reported
-    nodes_ += nodes;
-    if (nodes_ <= kMaxNodes) return true;
-    problems_.error(entry.mark,
-                    fmt::format("template {} makes more than {} values", in_quotes(entry.key), kMaxNodes),
+  bool may_add(std::size_t weight, SourceMark mark) {
+    if (weight_ > kMaxWeight) return false;  // was reported
+    weight_ += weight;
+    if (weight_ <= kMaxWeight) return true;
+    problems_.error(mark, fmt::format("the templates make more than {} values", kMaxWeight),
                     "use fewer values per variable");
     return false;
   }
@@ -189,7 +188,7 @@ class Expander {
       i += 1 + variable->name.size();
     }
     text = std::move(result);
-    return true;
+    return may_add(weight_of(text), mark);
   }
 
   void refuse_variable(const std::string& text, const Variable* variable, SourceMark mark) {
@@ -228,7 +227,7 @@ class Expander {
   }
 
   std::vector<Variable> variables_;
-  std::size_t nodes_;
+  std::size_t weight_;
   Problems& problems_;
 };
 
@@ -242,7 +241,7 @@ void expand_templates(SourceNode& root, Problems& problems) {
     variables = read_variables(entry->value, problems);
     root.entries.erase(entry);
   }
-  Expander(std::move(variables), count_nodes(root), problems).expand(root, nullptr);
+  Expander(std::move(variables), weight_of(root), problems).expand(root, nullptr);
 }
 
 }  // namespace linewright::loading

@@ -121,15 +121,18 @@ void fill_kind(BuildState& state, std::size_t kind, const SourceNode* travel) {
                        "write map: {bounds: [x0, x1, y0, y1]}, or travel: straight");
 }
 
-/// The stations of `to` that cannot be reached from `from`, as a list for a message.
-std::vector<std::string> missing_from(const BuildState& state, std::size_t kind, StationId from,
+/// The stations of `to` that cannot be reached from `from`, as a list for a message; maybe empty.
+std::string missing_from(const BuildState& state, std::size_t kind, StationId from,
                                       const std::vector<StationId>& to) {
-  std::vector<std::string> missing;
+  constexpr std::size_t kMostNamed = 8;
+  std::string list;
+  std::size_t missing = 0;
   for (const StationId target : to) {
     if (target == from || state.line().travel[kind].leg(from, target).ticks >= 0) continue;
-    missing.push_back(in_quotes(state.line().stations[target.index()].name));
+    if (++missing > kMostNamed) continue;
+    list += (list.empty() ? "" : ", ") + in_quotes(state.line().stations[target.index()].name);
   }
-  return missing;
+  return missing > kMostNamed ? fmt::format("{} and {} more", list, missing - kMostNamed) : list;
 }
 
 void check_ways(const BuildState& state, std::size_t kind, const SourceNode* travel) {
@@ -138,7 +141,7 @@ void check_ways(const BuildState& state, std::size_t kind, const SourceNode* tra
   const bool measured = given != nullptr && given->is_mapping();
   const NeededWays ways = needed_ways(state.line(), WorkerKindId(kind));
   for (const StationId from : ways.from) {
-    const auto missing = missing_from(state, kind, from, ways.to);
+    const std::string missing = missing_from(state, kind, from, ways.to);
     if (missing.empty()) continue;
     const std::string& start = state.line().stations[from.index()].name;
     const SourceNode* row = measured ? given->find(start) : nullptr;
@@ -147,7 +150,7 @@ void check_ways(const BuildState& state, std::size_t kind, const SourceNode* tra
     state.problems.error(
         mark,
         fmt::format("travel of {}: a task can need a way from {} to {}, and there is none",
-                    in_quotes(worker), in_quotes(start), fmt::join(missing, ", ")),
+                    in_quotes(worker), in_quotes(start), missing),
         measured ? fmt::format("write {}: {{TO: ticks}} for each of them", start)
                  : "make an aisle wider, 'radius_m' smaller, or 'cell_m' finer");
   }

@@ -71,6 +71,7 @@ class TreeBuilder : public YAML::EventHandler {
                 const std::string& value) override {
     SourceNode node = new_node(SourceNode::Type::kScalar, mark);
     refuse_tag(tag, node.mark);
+    count(weight_of(value), node.mark);
     node.text = value;
     node.was_quoted = tag == "!";
     finish(std::move(node), anchor);
@@ -83,7 +84,8 @@ class TreeBuilder : public YAML::EventHandler {
                     "write the value out"};
     }
     SourceNode copy = found->second;
-    count(count_nodes(copy), to_mark(mark, file_));
+    count(weight_of(copy), to_mark(mark, file_));
+    if (open_.size() + depth_of(copy) > kMaxDepth) refuse_depth(to_mark(mark, file_));
     finish(std::move(copy), YAML::NullAnchor);
   }
 
@@ -118,9 +120,9 @@ class TreeBuilder : public YAML::EventHandler {
   }
 
   void count(std::size_t more, SourceMark mark) {
-    nodes_ += more;
-    if (nodes_ <= kMaxNodes) return;
-    throw Refused{mark, fmt::format("the file has more than {} values, aliases written out", kMaxNodes),
+    weight_ += more;
+    if (weight_ <= kMaxWeight) return;
+    throw Refused{mark, fmt::format("the file has more than {} values, aliases written out", kMaxWeight),
                   "make the line smaller"};
   }
 
@@ -134,10 +136,7 @@ class TreeBuilder : public YAML::EventHandler {
     SourceNode node = new_node(type, mark);
     refuse_tag(tag, node.mark);
     if (expects_key()) refuse_key(node.mark);
-    if (open_.size() >= kMaxDepth) {
-      throw Refused{node.mark, fmt::format("more than {} levels of nesting", kMaxDepth),
-                    "nothing in a scenario is that deep; count the brackets"};
-    }
+    if (open_.size() >= kMaxDepth) refuse_depth(node.mark);
     open_.push_back({std::move(node), anchor, std::nullopt});
   }
 
@@ -149,7 +148,7 @@ class TreeBuilder : public YAML::EventHandler {
 
   void finish(SourceNode node, YAML::anchor_t anchor) {
     if (anchor != YAML::NullAnchor) {
-      count(count_nodes(node), node.mark);
+      count(weight_of(node), node.mark);
       anchors_[anchor] = node;
     }
     if (open_.empty()) {
@@ -180,6 +179,11 @@ class TreeBuilder : public YAML::EventHandler {
     open_.back().entry = SourceEntry{key.text, key.mark, {}};
   }
 
+  [[noreturn]] static void refuse_depth(SourceMark mark) {
+    throw Refused{mark, fmt::format("more than {} levels of nesting", kMaxDepth),
+                  "nothing in a scenario is that deep; count the brackets"};
+  }
+
   [[noreturn]] static void refuse_key(SourceMark mark) {
     throw Refused{mark, "a key must be a single word", "write `key: value`"};
   }
@@ -188,7 +192,7 @@ class TreeBuilder : public YAML::EventHandler {
   Problems& problems_;
   std::vector<Open> open_;
   std::map<YAML::anchor_t, SourceNode> anchors_;
-  std::size_t nodes_ = 0;
+  std::size_t weight_ = 0;
   SourceNode root_;
 };
 

@@ -7,9 +7,9 @@
 
 namespace linewright::loading {
 
-/// Bytes of one file; nodes of one file, aliases and templates written out; nesting of one file.
+/// Bytes of one file; values of one file, aliases and templates written out; nesting of one file.
 inline constexpr std::size_t kMaxFileBytes = std::size_t{1} << 20;
-inline constexpr std::size_t kMaxNodes = 200'000;
+inline constexpr std::size_t kMaxWeight = 200'000;
 inline constexpr std::size_t kMaxDepth = 32;
 
 /// Parses one YAML document. Reports what is wrong to `problems` and returns a broken node when

@@ -11,17 +11,24 @@ namespace {
 
 bool relation_holds(std::int64_t sum, Relation relation) {
   switch (relation) {
-    case Relation::kEqual: return sum == 0;
-    case Relation::kNotEqual: return sum != 0;
-    case Relation::kLess: return sum < 0;
-    case Relation::kLessEqual: return sum <= 0;
-    case Relation::kGreater: return sum > 0;
-    case Relation::kGreaterEqual: return sum >= 0;
+    case Relation::kEqual:
+      return sum == 0;
+    case Relation::kNotEqual:
+      return sum != 0;
+    case Relation::kLess:
+      return sum < 0;
+    case Relation::kLessEqual:
+      return sum <= 0;
+    case Relation::kGreater:
+      return sum > 0;
+    case Relation::kGreaterEqual:
+      return sum >= 0;
   }
   return false;
 }
 
-bool holds(const CompiledCondition::Comparison& comparison, const std::vector<std::int32_t>& values) {
+bool holds(const CompiledCondition::Comparison& comparison,
+           const std::vector<std::int32_t>& values) {
   std::int64_t sum = comparison.constant;
   for (const auto& [variable, coefficient] : comparison.terms) {
     sum += std::int64_t{coefficient} * values[static_cast<std::size_t>(variable)];
@@ -35,12 +42,23 @@ bool as_range(const CompiledCondition::Comparison& comparison, RangeCheck& range
   range = RangeCheck{.variable = comparison.terms[0].first};
   const std::int32_t bound = -comparison.constant;
   switch (comparison.relation) {
-    case Relation::kEqual: range.low = range.high = bound; return true;
-    case Relation::kNotEqual: return false;
-    case Relation::kLess: range.high = bound - 1; return true;
-    case Relation::kLessEqual: range.high = bound; return true;
-    case Relation::kGreater: range.low = bound + 1; return true;
-    case Relation::kGreaterEqual: range.low = bound; return true;
+    case Relation::kEqual:
+      range.low = range.high = bound;
+      return true;
+    case Relation::kNotEqual:
+      return false;
+    case Relation::kLess:
+      range.high = bound - 1;
+      return true;
+    case Relation::kLessEqual:
+      range.high = bound;
+      return true;
+    case Relation::kGreater:
+      range.low = bound + 1;
+      return true;
+    case Relation::kGreaterEqual:
+      range.low = bound;
+      return true;
   }
   return false;
 }
@@ -54,7 +72,8 @@ void require_flows(CompiledCondition& condition, const std::vector<TokenFlow>& f
                    std::int32_t what) {
   std::map<std::int32_t, std::int32_t> total;
   for (const TokenFlow& flow : flows) total[flow.place.value] += flow.count;
-  for (const auto& [place, count] : total) require(condition, ValueLayout::place(place, what), count);
+  for (const auto& [place, count] : total)
+    require(condition, ValueLayout::place(place, what), count);
 }
 
 template <class T>
@@ -90,19 +109,32 @@ std::vector<std::int32_t> CompiledCondition::variables() const {
 std::int32_t ValueLayout::index(Variable variable) const {
   const std::int32_t id = variable.index;
   switch (variable.kind) {
-    case VariableKind::kPlaceCount: return place(id, kCount);
-    case VariableKind::kPlaceAvailable: return place(id, kAvailable);
-    case VariableKind::kPlaceRoom: return place(id, kRoom);
-    case VariableKind::kPlaceOccupied: return place(id, kOccupied);
-    case VariableKind::kMachineFree: return machine(id, kFree);
-    case VariableKind::kMachineWorking: return machine(id, kWorking);
-    case VariableKind::kOperationRunning: return operation_running(id);
-    case VariableKind::kOperationDone: return operation_running(id) + 1;
-    case VariableKind::kTaskRunning: return task_running(id);
-    case VariableKind::kTaskDone: return task_running(id) + 1;
-    case VariableKind::kWorkersFree: return worker_free(id);
-    case VariableKind::kCarriersFree: return carrier(id, kFreeCarriers);
-    case VariableKind::kOrder: return order;
+    case VariableKind::kPlaceCount:
+      return place(id, kCount);
+    case VariableKind::kPlaceAvailable:
+      return place(id, kAvailable);
+    case VariableKind::kPlaceRoom:
+      return place(id, kRoom);
+    case VariableKind::kPlaceOccupied:
+      return place(id, kOccupied);
+    case VariableKind::kMachineFree:
+      return machine(id, kFree);
+    case VariableKind::kMachineWorking:
+      return machine(id, kWorking);
+    case VariableKind::kOperationRunning:
+      return operation_running(id);
+    case VariableKind::kOperationDone:
+      return operation_running(id) + 1;
+    case VariableKind::kTaskRunning:
+      return task_running(id);
+    case VariableKind::kTaskDone:
+      return task_running(id) + 1;
+    case VariableKind::kWorkersFree:
+      return worker_free(id);
+    case VariableKind::kCarriersFree:
+      return carrier(id, kFreeCarriers);
+    case VariableKind::kOrder:
+      return order;
   }
   return order;
 }
@@ -142,9 +174,8 @@ CompiledCondition CompiledLine::compile(const Condition& condition) const {
   for (const auto& clause : condition.any_of) {
     auto& target = compiled.rest.emplace_back();
     for (const Comparison& comparison : clause) {
-      CompiledCondition::Comparison made{.terms = {},
-                                         .constant = comparison.constant,
-                                         .relation = comparison.relation};
+      CompiledCondition::Comparison made{
+          .terms = {}, .constant = comparison.constant, .relation = comparison.relation};
       for (const Term& term : comparison.terms) {
         made.terms.emplace_back(layout.index(term.variable), term.coefficient);
       }
@@ -249,7 +280,8 @@ Tick CompiledLine::travel(MachineId id, std::int32_t target, const MachineState&
   const auto upper = std::find_if(points.begin(), points.end(),
                                   [&](const auto& point) { return point.first >= to_go; });
   const std::int64_t at_upper = travel_to[static_cast<std::size_t>(upper->second)];
-  if (upper->first == to_go || at_upper < 0) return static_cast<Tick>(std::max<std::int64_t>(0, at_upper));
+  if (upper->first == to_go || at_upper < 0)
+    return static_cast<Tick>(std::max<std::int64_t>(0, at_upper));
   const auto lower = std::prev(upper);
   const std::int64_t at_lower = travel_to[static_cast<std::size_t>(lower->second)];
   if (at_lower < 0) return standing;
@@ -271,19 +303,23 @@ void CompiledLine::index_readers() {
     }
   };
   for (std::size_t o = 0; o < operations.size(); ++o) {
-    if (!operations[o].by_worker) mark(operations_reading, operation_words, o, operations[o].enabled);
+    if (!operations[o].by_worker)
+      mark(operations_reading, operation_words, o, operations[o].enabled);
   }
-  for (std::size_t t = 0; t < tasks.size(); ++t) mark(tasks_reading, task_words, t, tasks[t].selectable);
+  for (std::size_t t = 0; t < tasks.size(); ++t)
+    mark(tasks_reading, task_words, t, tasks[t].selectable);
   mark(tasks_reading, task_words, done_bit(), done);
 
   matters.assign(variables, true);
   const auto forget_unread = [&](std::int32_t first, std::size_t count) {
-    for (std::size_t i = 0; i < count; ++i) matters[static_cast<std::size_t>(first) + i * 2 + 1] = false;
+    for (std::size_t i = 0; i < count; ++i)
+      matters[static_cast<std::size_t>(first) + i * 2 + 1] = false;
   };
   forget_unread(layout.operations, operations.size());
   forget_unread(layout.tasks, tasks.size());
   const auto remember = [&](const CompiledCondition& condition) {
-    for (const std::int32_t variable : condition.variables()) matters[static_cast<std::size_t>(variable)] = true;
+    for (const std::int32_t variable : condition.variables())
+      matters[static_cast<std::size_t>(variable)] = true;
   };
   for (const CompiledOperation& operation : operations) remember(operation.enabled);
   for (const CompiledTask& task : tasks) remember(task.selectable);
@@ -300,10 +336,18 @@ void CompiledLine::index_milestones() {
     const auto at = static_cast<std::size_t>(milestone.index);
     const auto id = static_cast<std::int32_t>(m);
     switch (milestone.event) {
-      case Milestone::Event::kOperationDone: operation_milestones[at].push_back(id); break;
-      case Milestone::Event::kTaskStart: task_start_milestones[at].push_back(id); break;
-      case Milestone::Event::kTaskEnd: task_end_milestones[at].push_back(id); break;
-      case Milestone::Event::kTokenArrives: place_milestones[at].push_back(id); break;
+      case Milestone::Event::kOperationDone:
+        operation_milestones[at].push_back(id);
+        break;
+      case Milestone::Event::kTaskStart:
+        task_start_milestones[at].push_back(id);
+        break;
+      case Milestone::Event::kTaskEnd:
+        task_end_milestones[at].push_back(id);
+        break;
+      case Milestone::Event::kTokenArrives:
+        place_milestones[at].push_back(id);
+        break;
     }
   }
 }

@@ -61,14 +61,18 @@ struct ValueLayout {
   std::int32_t order = 0;
   std::int32_t size = 0;
 
-  [[nodiscard]] static std::int32_t place(std::int32_t id, std::int32_t what) { return id * 4 + what; }
+  [[nodiscard]] static std::int32_t place(std::int32_t id, std::int32_t what) {
+    return id * 4 + what;
+  }
   [[nodiscard]] std::int32_t berth(std::int32_t id, std::int32_t what) const {
     return berths + id * 2 + what;
   }
   [[nodiscard]] std::int32_t machine(std::int32_t id, std::int32_t what) const {
     return machines + id * 3 + what;
   }
-  [[nodiscard]] std::int32_t operation_running(std::int32_t id) const { return operations + id * 2; }
+  [[nodiscard]] std::int32_t operation_running(std::int32_t id) const {
+    return operations + id * 2;
+  }
   [[nodiscard]] std::int32_t task_running(std::int32_t id) const { return tasks + id * 2; }
   [[nodiscard]] std::int32_t worker_free(std::int32_t kind) const { return workers + kind; }
   [[nodiscard]] std::int32_t carrier(std::int32_t kind, std::int32_t what) const {

@@ -183,11 +183,20 @@ void Engine::handle(const SimulationState::Event& event) {
   const std::uint32_t order = event.order();
   const auto number = static_cast<std::int32_t>(order & kNumber);
   switch (order & ~kNumber) {
-    case kJoin: begin_sequence(static_cast<std::int16_t>(number)); break;
-    case kWorker: end_phase(static_cast<std::int16_t>(number)); break;
-    case kOperation: end_operation(number, event.operator_worker); break;
-    case kRecovery: end_recovery(number); break;
-    default: break;  // kStartOfRun: only makes tick 1 happen
+    case kJoin:
+      begin_sequence(static_cast<std::int16_t>(number));
+      break;
+    case kWorker:
+      end_phase(static_cast<std::int16_t>(number));
+      break;
+    case kOperation:
+      end_operation(number, event.operator_worker);
+      break;
+    case kRecovery:
+      end_recovery(number);
+      break;
+    default:
+      break;  // kStartOfRun: only makes tick 1 happen
   }
 }
 

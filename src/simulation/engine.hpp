@@ -91,7 +91,8 @@ class Engine {
   [[nodiscard]] const Action& action_of(const WorkerState& worker) const;
   [[nodiscard]] std::int16_t carrier_at(const Execution& execution, const Endpoint& endpoint) const;
   void occupy_early(std::int32_t berth, const Execution& execution);
-  [[nodiscard]] bool item_possible(const Execution& execution, const TransferAction& transfer) const;
+  [[nodiscard]] bool item_possible(const Execution& execution,
+                                   const TransferAction& transfer) const;
 
   void note(const LogEvent& event) {
     if (log_ != nullptr) log_->events.push_back(event);

@@ -18,7 +18,8 @@ void Engine::end_action(std::int16_t id) {
   const std::int16_t execution_id = worker.execution;
   const Execution& execution = state_.executions[at(execution_id)];
   const auto step = at(execution.step);
-  const std::int16_t sequence = compiled_.tasks[at(execution.task)].sequence_of[step][at(worker.slot)];
+  const std::int16_t sequence =
+      compiled_.tasks[at(execution.task)].sequence_of[step][at(worker.slot)];
   const auto& actions = line_.tasks[at(execution.task)].steps[step].sequences[at(sequence)].actions;
   ++worker.action;
   if (at(worker.action) < actions.size()) {
@@ -91,7 +92,8 @@ void Engine::begin_main(std::int16_t id) {
       }
     }
   } else if (std::holds_alternative<OperateAction>(action.what)) {
-    worker.phase = WorkerState::Phase::kWaiting;  // tried with the other waiting actions of this tick
+    worker.phase =
+        WorkerState::Phase::kWaiting;  // tried with the other waiting actions of this tick
     state_.waiting.push_back(id);
   } else if (const auto* park_action = std::get_if<ParkAction>(&action.what)) {
     park(id, *park_action);
@@ -136,8 +138,12 @@ void Engine::start_waiting_actions() {
 void Engine::end_phase(std::int16_t id) {
   WorkerState& worker = state_.workers[at(id)];
   switch (worker.phase) {
-    case WorkerState::Phase::kBefore: begin_main(id); break;
-    case WorkerState::Phase::kAfter: end_action(id); break;
+    case WorkerState::Phase::kBefore:
+      begin_main(id);
+      break;
+    case WorkerState::Phase::kAfter:
+      end_action(id);
+      break;
     case WorkerState::Phase::kMain:
       if (std::holds_alternative<TransferAction>(action_of(worker).what)) {
         end_item(id);
@@ -147,7 +153,8 @@ void Engine::end_phase(std::int16_t id) {
       }
       break;
     case WorkerState::Phase::kNone:
-    case WorkerState::Phase::kWaiting: break;
+    case WorkerState::Phase::kWaiting:
+      break;
   }
 }
 
@@ -172,7 +179,8 @@ void Engine::park(std::int16_t id, const ParkAction& action) {
   Execution& execution = state_.executions[at(state_.workers[at(id)].execution)];
   const std::int16_t carrier = execution.members[action.carrier_slot];
   if (action.berth) occupy_berth(action.berth->value, carrier);
-  if (state_.carriers[at(carrier)].holder >= 0) put_down(carrier, state_.carriers[at(carrier)].holder);
+  if (state_.carriers[at(carrier)].holder >= 0)
+    put_down(carrier, state_.carriers[at(carrier)].holder);
   if (!action.berth) return;
   execution.gone |= slot_bit(action.carrier_slot);
   unbind_carrier(carrier);

@@ -46,11 +46,13 @@ void Engine::assign(const Assignment& assignment) {
     const Reservation& reservation = task.reserves[r];
     execution.reserved |= 1U << r;
     add(ValueLayout::place(reservation.place.value,
-                           reservation.room ? ValueLayout::kRoom : ValueLayout::kAvailable), -1);
+                           reservation.room ? ValueLayout::kRoom : ValueLayout::kAvailable),
+        -1);
   }
   for (const std::int32_t berth : compiled_.tasks[assignment.task.index()].park_berths) {
     set(compiled_.layout.berth(berth, ValueLayout::kBerthOpen), 0);
-    if (line_.places[static_cast<std::size_t>(berth)].berth->occupied == BerthOccupied::kOnAssignment) {
+    if (line_.places[static_cast<std::size_t>(berth)].berth->occupied ==
+        BerthOccupied::kOnAssignment) {
       occupy_early(berth, execution);
     }
   }
@@ -208,8 +210,10 @@ void Engine::begin_step(std::int16_t id) {
 const Action& Engine::action_of(const WorkerState& worker) const {
   const Execution& execution = state_.executions[at(worker.execution)];
   const auto step = at(execution.step);
-  const std::int16_t sequence = compiled_.tasks[at(execution.task)].sequence_of[step][at(worker.slot)];
-  return line_.tasks[at(execution.task)].steps[step].sequences[at(sequence)].actions[at(worker.action)];
+  const std::int16_t sequence =
+      compiled_.tasks[at(execution.task)].sequence_of[step][at(worker.slot)];
+  return line_.tasks[at(execution.task)].steps[step].sequences[at(sequence)].actions[at(
+      worker.action)];
 }
 
 void Engine::begin_sequence(std::int16_t id) {
@@ -217,7 +221,8 @@ void Engine::begin_sequence(std::int16_t id) {
   const Execution& execution = state_.executions[at(worker.execution)];
   worker.action = -1;
   // A late joiner may have nothing to do in the step that is under way.
-  if (compiled_.tasks[at(execution.task)].sequence_of[at(execution.step)][at(worker.slot)] < 0) return;
+  if (compiled_.tasks[at(execution.task)].sequence_of[at(execution.step)][at(worker.slot)] < 0)
+    return;
   end_action(id);
 }
 
@@ -237,13 +242,15 @@ void Engine::end_task(std::int16_t id) {
       unbind_carrier(execution.members[slot]);
     }
   }
-  for (std::uint8_t bits = execution.missing; bits != 0; bits = static_cast<std::uint8_t>(bits & (bits - 1))) {
+  for (std::uint8_t bits = execution.missing; bits != 0;
+       bits = static_cast<std::uint8_t>(bits & (bits - 1))) {
     --state_.missing;
   }
   for (std::size_t r = 0; r < task.reserves.size(); ++r) {
     if (((execution.reserved >> r) & 1U) == 0) continue;
     add(ValueLayout::place(task.reserves[r].place.value,
-                           task.reserves[r].room ? ValueLayout::kRoom : ValueLayout::kAvailable), 1);
+                           task.reserves[r].room ? ValueLayout::kRoom : ValueLayout::kAvailable),
+        1);
   }
   note({.tick = state_.now, .type = LogEvent::Type::kTaskEnd, .a = task_id, .b = execution.serial});
   execution.task = -1;

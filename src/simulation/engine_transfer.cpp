@@ -10,7 +10,8 @@ int reservation_for(const Task& task, std::uint32_t held, const Endpoint& endpoi
   if (!endpoint.place) return -1;
   for (std::size_t r = 0; r < task.reserves.size(); ++r) {
     const Reservation& reservation = task.reserves[r];
-    if (((held >> r) & 1U) != 0 && reservation.room == room && reservation.place == *endpoint.place) {
+    if (((held >> r) & 1U) != 0 && reservation.room == room &&
+        reservation.place == *endpoint.place) {
       return static_cast<int>(r);
     }
   }
@@ -62,13 +63,14 @@ bool Engine::begin_item(std::int16_t id) {
   const Task& task = line_.tasks[at(execution.task)];
   const std::int16_t from = carrier_at(execution, transfer.source);
   const std::int16_t into = carrier_at(execution, transfer.destination);
-  const std::int16_t material =
-      from >= 0 ? state_.carriers[at(from)].material
-                : compiled_.place_material[transfer.source.place->index()];
+  const std::int16_t material = from >= 0
+                                    ? state_.carriers[at(from)].material
+                                    : compiled_.place_material[transfer.source.place->index()];
   if (from >= 0) {
     ++state_.carriers[at(from)].leaving;
     if (transfer.source.place) refresh_berth(transfer.source.place->value);
-  } else if (const int r = reservation_for(task, execution.reserved, transfer.source, false); r >= 0) {
+  } else if (const int r = reservation_for(task, execution.reserved, transfer.source, false);
+             r >= 0) {
     execution.reserved &= ~(1U << static_cast<unsigned>(r));
   } else {
     add(ValueLayout::place(transfer.source.place->value, ValueLayout::kAvailable), -1);
@@ -77,7 +79,8 @@ bool Engine::begin_item(std::int16_t id) {
     ++state_.carriers[at(into)].coming;
     state_.carriers[at(into)].material = material;
     if (transfer.destination.place) refresh_berth(transfer.destination.place->value);
-  } else if (const int r = reservation_for(task, execution.reserved, transfer.destination, true); r >= 0) {
+  } else if (const int r = reservation_for(task, execution.reserved, transfer.destination, true);
+             r >= 0) {
     execution.reserved &= ~(1U << static_cast<unsigned>(r));
   } else {
     add(ValueLayout::place(transfer.destination.place->value, ValueLayout::kRoom), -1);

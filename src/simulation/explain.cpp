@@ -34,7 +34,8 @@ std::string name_of(const CompiledLine& compiled, std::int32_t variable) {
     const std::int32_t local = variable - layout.tasks;
     return line.tasks[at(local / 2)].name + (local % 2 == 0 ? ".running" : ".done");
   }
-  if (variable < layout.carriers) return line.worker_kinds[at(variable - layout.workers)].name + ".free";
+  if (variable < layout.carriers)
+    return line.worker_kinds[at(variable - layout.workers)].name + ".free";
   if (variable < layout.order) {
     const std::int32_t local = variable - layout.carriers;
     return line.carrier_kinds[at(local / 2)].name + (local % 2 == 0 ? ".free" : ".free and empty");
@@ -70,7 +71,8 @@ std::string Simulator::explain_refusal(const SimulationState& state,
   }
   const Task& task = line_->tasks[assignment.task.index()];
   const std::string unselectable = explain_unselectable(state, assignment.task);
-  if (!unselectable.empty()) return fmt::format("{} is not selectable: {}", task.name, unselectable);
+  if (!unselectable.empty())
+    return fmt::format("{} is not selectable: {}", task.name, unselectable);
   for (std::size_t i = 0; i < task.crew.size(); ++i) {
     const CrewSlot& slot = task.crew[i];
     const std::int16_t member = assignment.members[i];
@@ -82,7 +84,8 @@ std::string Simulator::explain_refusal(const SimulationState& state,
                         state.workers[index].kind == slot.worker->value;
       if (!fits) return fmt::format("worker {} is no free {}", member, slot.role);
     } else if (!carrier_fits(state, slot, CarrierId(std::int32_t{member}))) {
-      return fmt::format("carrier {} is not a {} that {} may take now", member, slot.role, task.name);
+      return fmt::format("carrier {} is not a {} that {} may take now", member, slot.role,
+                         task.name);
     }
   }
   return fmt::format("{} names one member twice", task.name);

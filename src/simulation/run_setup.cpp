@@ -1,8 +1,8 @@
 #include "linewright/simulation/run_setup.hpp"
 
-#include <utility>
-
 #include <fmt/format.h>
+
+#include <utility>
 
 #include "linewright/base/diagnostic.hpp"
 
@@ -17,10 +17,12 @@ std::int32_t crew_size(const LineModel& line, const RunOptions& options, std::si
   if (kind < options.workers.size() && options.workers[kind]) {
     const std::int32_t asked = *options.workers[kind];
     if (asked < worker.count.min || asked > worker.count.max) {
-      throw ScenarioError({}, fmt::format("{} {}s asked for, but line '{}' is made for {} to {}", asked,
-                                          worker.name, line.name, worker.count.min, worker.count.max),
-                          fmt::format("ask for {} to {}, or change workers.{}.count in the scenario",
-                                      worker.count.min, worker.count.max, worker.name));
+      throw ScenarioError(
+          {},
+          fmt::format("{} {}s asked for, but line '{}' is made for {} to {}", asked, worker.name,
+                      line.name, worker.count.min, worker.count.max),
+          fmt::format("ask for {} to {}, or change workers.{}.count in the scenario",
+                      worker.count.min, worker.count.max, worker.name));
     }
     return asked;
   }
@@ -62,7 +64,8 @@ std::vector<StationId> start_stations(const LineModel& line, WorkerKindId kind) 
   std::vector<StationId> stations;
   for (std::size_t s = 0; s < line.stations.size(); ++s) {
     if (!line.stations[s].poses[kind.index()]) continue;
-    for (std::int32_t i = 0; i < line.stations[s].slots[kind.index()]; ++i) stations.emplace_back(s);
+    for (std::int32_t i = 0; i < line.stations[s].slots[kind.index()]; ++i)
+      stations.emplace_back(s);
   }
   return stations;
 }
@@ -79,8 +82,9 @@ RunSetup sample_setup(const LineModel& line, const RunOptions& options, std::uin
     const std::int64_t items = p.initial.value(setup.order);
     const std::int64_t most = p.capacity.value_or(kMostItems);
     if (items > most) {
-      throw ScenarioError({}, fmt::format("an order of {} puts {} items into '{}', which holds {}",
-                                          setup.order, items, p.name, most),
+      throw ScenarioError({},
+                          fmt::format("an order of {} puts {} items into '{}', which holds {}",
+                                      setup.order, items, p.name, most),
                           "order less, or raise the capacity in the scenario");
     }
   }
@@ -90,17 +94,19 @@ RunSetup sample_setup(const LineModel& line, const RunOptions& options, std::uin
                         fmt::format("give 1 to {} ticks", kMaxTicks));
   }
   for (std::size_t k = 0; k < line.worker_kinds.size(); ++k) {
-    setup.worker_start.push_back(place(line.worker_kinds[k].start, crew_size(line, options, k, seed),
-                                       start_stations(line, WorkerKindId(k)),
-                                       RandomStream::derive(seed, "worker_start", k)));
+    setup.worker_start.push_back(place(
+        line.worker_kinds[k].start, crew_size(line, options, k, seed),
+        start_stations(line, WorkerKindId(k)), RandomStream::derive(seed, "worker_start", k)));
   }
   for (std::size_t k = 0; k < line.carrier_kinds.size(); ++k) {
     const CarrierKind& carrier = line.carrier_kinds[k];
     const std::int32_t count =
         carrier.count_as
             ? static_cast<std::int32_t>(setup.worker_start[carrier.count_as->index()].size())
-            : RandomStream::derive(seed, "carriers", k).between(carrier.count.min, carrier.count.max);
-    setup.carrier_start.push_back(place(carrier.start, count, start_stations(line, carrier.moved_by),
+            : RandomStream::derive(seed, "carriers", k)
+                  .between(carrier.count.min, carrier.count.max);
+    setup.carrier_start.push_back(place(carrier.start, count,
+                                        start_stations(line, carrier.moved_by),
                                         RandomStream::derive(seed, "carrier_start", k)));
   }
   refuse_too_many(setup.worker_start, "workers");

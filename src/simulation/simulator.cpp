@@ -61,9 +61,12 @@ bool Simulator::carrier_fits(const SimulationState& state, const CrewSlot& slot,
   const CarrierState& carrier = state.carriers[id.index()];
   if (carrier.kind != slot.carrier->value || carrier.execution >= 0) return false;
   switch (slot.wanted) {
-    case CarrierWanted::kEmpty: return carrier.berth < 0 && carrier.items == 0;
-    case CarrierWanted::kAny: return carrier.berth < 0;
-    case CarrierWanted::kBerth: return carrier.berth == slot.berth.value && carrier.coming == 0;
+    case CarrierWanted::kEmpty:
+      return carrier.berth < 0 && carrier.items == 0;
+    case CarrierWanted::kAny:
+      return carrier.berth < 0;
+    case CarrierWanted::kBerth:
+      return carrier.berth == slot.berth.value && carrier.coming == 0;
   }
   return false;
 }

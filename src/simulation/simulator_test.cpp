@@ -8,7 +8,8 @@ namespace linewright {
 namespace {
 
 Condition more_than(VariableKind kind, std::int32_t index, std::int32_t bound) {
-  return {.any_of = {{Comparison{.terms = {{{kind, index}, 1}}, .constant = -bound, .relation = Relation::kGreater}}},
+  return {.any_of = {{Comparison{
+              .terms = {{{kind, index}, 1}}, .constant = -bound, .relation = Relation::kGreater}}},
           .text = "test"};
 }
 
@@ -19,7 +20,8 @@ LineModel press_line() {
   line.name = "press";
   line.worker_kinds = {{.name = "human", .count = {1, 2}, .min_leg_ticks = 1}};
   for (const double x : {0.0, 6.0}) {
-    line.stations.push_back({.name = x == 0.0 ? "shelf" : "press", .poses = {Pose2{x, 0.0, 0.0}}, .slots = {1}});
+    line.stations.push_back(
+        {.name = x == 0.0 ? "shelf" : "press", .poses = {Pose2{x, 0.0, 0.0}}, .slots = {1}});
   }
   line.travel.emplace_back(2);
   line.travel[0].set(StationId(0), StationId(1), {6, 6.0});
@@ -41,12 +43,15 @@ LineModel press_line() {
   feed.reserves = {{PlaceId(0), false}, {PlaceId(1), true}};
   feed.steps = {{{{.slot = 0,
                    .actions = {{.what = GoAction{StationId(1)}},
-                               {.what = TransferAction{.source = {PlaceId(0)}, .destination = {PlaceId(1)}, .takes = 3},
+                               {.what = TransferAction{.source = {PlaceId(0)},
+                                                       .destination = {PlaceId(1)},
+                                                       .takes = 3},
                                 .before = 1,
                                 .after = 2}}}}}};
   line.tasks = {feed};
   line.order = {.product = "product", .quantity = 2, .finished_in = PlaceId(2)};
-  line.order.done_when = {.any_of = {{Comparison{.terms = {{{VariableKind::kPlaceCount, 2}, 1}, {{VariableKind::kOrder, 0}, -1}},
+  line.order.done_when = {.any_of = {{Comparison{.terms = {{{VariableKind::kPlaceCount, 2}, 1},
+                                                           {{VariableKind::kOrder, 0}, -1}},
                                                  .constant = 0,
                                                  .relation = Relation::kGreaterEqual}}},
                           .text = "done >= order"};
@@ -75,7 +80,9 @@ struct Bench {
     }
     return found;
   }
-  [[nodiscard]] std::int32_t place(VariableKind kind, int id) const { return simulator.value(state, {kind, id}); }
+  [[nodiscard]] std::int32_t place(VariableKind kind, int id) const {
+    return simulator.value(state, {kind, id});
+  }
 
   Simulator simulator;
   RunSetup setup;
@@ -107,7 +114,8 @@ TEST(Simulator, CountsAnItemAtItsSourceUntilItIsPutDown) {
   EXPECT_EQ(bench.place(VariableKind::kPlaceCount, 0), 2);
   bench.simulator.advance_to(bench.state, 11);
   EXPECT_EQ(bench.place(VariableKind::kPlaceCount, 0), 1);
-  EXPECT_EQ(bench.place(VariableKind::kPlaceCount, 1), 0);  // stamping has taken it in the same tick
+  EXPECT_EQ(bench.place(VariableKind::kPlaceCount, 1),
+            0);  // stamping has taken it in the same tick
   EXPECT_EQ(bench.place(VariableKind::kMachineWorking, 0), 1);
 }
 
@@ -122,7 +130,8 @@ TEST(Simulator, KeepsAMachineThroughItsRecoveryAndInterpolatesItsHoming) {
   bench.simulator.advance_to(bench.state, 24);
   EXPECT_EQ(bench.place(VariableKind::kMachineFree, 0), 1);
   // The second stamping starts at 24 + ...: the human stands at the press, so the walk is 1 tick.
-  bench.feed();  // tick 25: walk 1: 26, before: 27, item: 30; the press is home by then (r = 0): 0 + 10
+  bench.feed();  // tick 25: walk 1: 26, before: 27, item: 30; the press is home by then (r = 0): 0
+                 // + 10
   bench.simulator.advance(bench.state, &bench.log);
   EXPECT_EQ(bench.state.status, RunStatus::kFinished);
   EXPECT_EQ(bench.state.now, 40);
@@ -167,7 +176,8 @@ TEST(Simulator, RefusesWhatIsNotPossibleAndSaysWhy) {
   ASSERT_TRUE(bench.feed(1));
   Assignment again{TaskId(0)};
   again.members[0] = 0;
-  EXPECT_NE(bench.simulator.explain_refusal(bench.state, again).find("feed.running"), std::string::npos);
+  EXPECT_NE(bench.simulator.explain_refusal(bench.state, again).find("feed.running"),
+            std::string::npos);
   Assignment unknown{TaskId(9)};
   EXPECT_NE(bench.simulator.explain_refusal(bench.state, unknown), "");
 }
@@ -204,7 +214,9 @@ TEST(Simulator, AContinuedCopyIsTheOriginal) {
 TEST(LateJoiner, IsBoundAsSoonAsOneIsFree) {
   LineModel line = press_line();
   // A second task that starts alone and needs a human only in its second step.
-  Task help{.name = "help", .number = 2, .crew = {{.role = "human", .worker = WorkerKindId(0), .join_late = true}}};
+  Task help{.name = "help",
+            .number = 2,
+            .crew = {{.role = "human", .worker = WorkerKindId(0), .join_late = true}}};
   help.steps = {{{{.slot = 0, .actions = {{.what = GoAction{StationId(0)}}}}}}};
   line.tasks.push_back(help);
   Bench bench(line);

@@ -11,8 +11,8 @@
 
 namespace linewright {
 
-/// The low-level agent: given the chosen task, who does it (paper, Sec. 3.4). One Allocator serves one
-/// run at a time; it may keep a random stream, which `reset` starts anew.
+/// The low-level agent: given the chosen task, who does it (paper, Sec. 3.4). One Allocator serves
+/// one run at a time; it may keep a random stream, which `reset` starts anew.
 class Allocator {
  public:
   virtual ~Allocator() = default;
@@ -20,7 +20,8 @@ class Allocator {
   /// Starts a new run. Equal seeds give equal allocations.
   virtual void reset(std::uint64_t seed) = 0;
 
-  /// Who does `task`. The task must be selectable in `state`; the result is then a valid assignment.
+  /// Who does `task`. The task must be selectable in `state`; the result is then a valid
+  /// assignment.
   [[nodiscard]] virtual Assignment allocate(const SimulationState& state, TaskId task) = 0;
 
   /// Who joins a running task. A worker of the slot's kind must be free.
@@ -28,16 +29,18 @@ class Allocator {
 };
 
 /// Names that make_allocator knows:
-/// - `sap`: the nearest by route, from where each one really is; carriers together with who fetches them
+/// - `sap`: the nearest by route, from where each one really is; carriers together with who fetches
+/// them
 ///   (the paper's SAP, Algorithm 2)
 /// - `no_spatial`: uniformly at random (the paper's NoSpatial)
 /// - `longest_path`: the farthest by route (the paper's LongestPath)
-/// - `first_idle`: the first free worker and the first free carrier by number; who fetches a carrier is
+/// - `first_idle`: the first free worker and the first free carrier by number; who fetches a
+/// carrier is
 ///   the one nearest to it in a straight line (what the paper's published runs did)
 [[nodiscard]] const std::vector<std::string>& allocator_names();
 
-/// Throws ScenarioError for a name that is not among allocator_names(). The simulator must outlive the
-/// allocator.
+/// Throws ScenarioError for a name that is not among allocator_names(). The simulator must outlive
+/// the allocator.
 [[nodiscard]] std::unique_ptr<Allocator> make_allocator(std::string_view name,
                                                         const Simulator& simulator);
 

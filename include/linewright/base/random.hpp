@@ -8,8 +8,9 @@
 namespace linewright {
 
 /// A seeded stream of random numbers, the same on every platform and compiler (xoshiro256**, seeded
-/// through SplitMix64; integers by rejection, so unbiased). Streams with different `name` or `index`
-/// are independent: each consumer owns its stream, and what one draws never shifts what another sees.
+/// through SplitMix64; integers by rejection, so unbiased). Streams with different `name` or
+/// `index` are independent: each consumer owns its stream, and what one draws never shifts what
+/// another sees.
 class RandomStream {
  public:
   explicit RandomStream(std::uint64_t seed);

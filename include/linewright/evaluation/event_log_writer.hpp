@@ -14,13 +14,13 @@ namespace linewright {
 /// Names of the run's carriers (`cage.0`) by CarrierId.
 [[nodiscard]] std::vector<std::string> carrier_names(const LineModel& line, const RunSetup& setup);
 
-/// The log in its written form, docs/formats/event_log.md. Equal logs give equal bytes. `progress` is
-/// that of the final state.
+/// The log in its written form, docs/formats/event_log.md. Equal logs give equal bytes. `progress`
+/// is that of the final state.
 [[nodiscard]] std::string event_log_text(const Scenario& scenario, const EventLog& log,
                                          double progress);
 
-/// Writes `text` to `path`, creating its folder: first beside it, then renamed, so that a reader never
-/// sees half a file. Throws ScenarioError naming the file and the reason.
+/// Writes `text` to `path`, creating its folder: first beside it, then renamed, so that a reader
+/// never sees half a file. Throws ScenarioError naming the file and the reason.
 void write_file(const std::string& path, const std::string& text);
 
 }  // namespace linewright

@@ -61,13 +61,15 @@ struct GanttMilestone {
   std::string name;
 };
 
-/// Who did what, when, ready to be drawn. All text is as in the log, not yet escaped for any format.
+/// Who did what, when, ready to be drawn. All text is as in the log, not yet escaped for any
+/// format.
 struct GanttChart {
   std::string title;               ///< name of the line
   std::vector<std::string> facts;  ///< crew, order, outcome, number of decisions
   double tick_s = 1.0;
   Tick last = 1;  ///< the run is 0 ... last
-  std::optional<Tick> makespan;
+  bool finished = false;
+  std::string ending;  ///< for the line at the end: "finished 745", "deadlock 313"; empty: no line
   std::vector<GanttTask> tasks;
   std::vector<GanttSection> sections;  ///< people, robots and others by kind, then machines
   std::vector<GanttDecision> decisions;
@@ -77,19 +79,19 @@ struct GanttChart {
 /// Most intervals a chart may have; more cannot be looked at.
 inline constexpr std::size_t kMostGanttIntervals = 100'000;
 
-/// Lays the run out as a chart. In a line with dozens of machines, those that never work are left out.
-/// Throws ScenarioError for a run of more than kMostGanttIntervals.
+/// Lays the run out as a chart. In a line with dozens of machines, those that never work are left
+/// out. Throws ScenarioError for a run of more than kMostGanttIntervals.
 [[nodiscard]] GanttChart make_gantt(const LogDocument& log);
 
 /// One SVG without scripts, fonts or links; details on hover, light or dark as the viewer prefers.
 [[nodiscard]] std::string gantt_svg(const GanttChart& chart);
 
-/// One HTML page that needs nothing else: zoom and pan along time, details on hover or by keyboard, and
-/// tasks highlighted from the legend. Nothing that stands in the log is executed.
+/// One HTML page that needs nothing else: zoom and pan along time, details on hover or by keyboard,
+/// and tasks highlighted from the legend. Nothing that stands in the log is executed.
 [[nodiscard]] std::string gantt_html(const GanttChart& chart);
 
-/// Writes the chart to `path`, as SVG or HTML by its extension, creating its folder; a reader never sees
-/// half a file. Throws ScenarioError for another extension or when it cannot be written.
+/// Writes the chart to `path`, as SVG or HTML by its extension, creating its folder; a reader never
+/// sees half a file. Throws ScenarioError for another extension or when it cannot be written.
 void write_gantt(const GanttChart& chart, const std::string& path);
 
 }  // namespace linewright

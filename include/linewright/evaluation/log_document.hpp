@@ -15,9 +15,9 @@
 #include "linewright/base/tick.hpp"
 #include "linewright/simulation/state.hpp"
 
-// An event log (docs/formats/event_log.md) read back, without the scenario it came from. Ids index the
-// lists of this document's header; they agree with the line's for machines, places, operations and
-// tasks, but not for stations, which are sorted by name.
+// An event log (docs/formats/event_log.md) read back, without the scenario it came from. Ids index
+// the lists of this document's header; they agree with the line's for machines, places, operations
+// and tasks, but not for stations, which are sorted by name.
 
 namespace linewright {
 
@@ -198,9 +198,9 @@ struct LoggedEnd {
   double progress = 0.0;  ///< 0 ... 1
 };
 
-/// One run. Every id is valid, ticks never run backwards, decisions are numbered 1, 2, 3, ... and every
-/// `n` is that of an earlier decision. Ends of ways, transfers and operations are not before their
-/// beginning; they may lie beyond the end of the run.
+/// One run. Every id is valid, ticks never run backwards, decisions are numbered 1, 2, 3, ... and
+/// every `n` is that of an earlier decision. Ends of ways, transfers and operations are not before
+/// their beginning; they may lie beyond the end of the run.
 struct LogDocument {
   LogHeader header;
   std::vector<LoggedEvent> events;
@@ -208,8 +208,7 @@ struct LogDocument {
   std::vector<std::size_t> decisions;  ///< index into events; decision n is decisions[n - 1]
 
   [[nodiscard]] const LoggedDecision& decision(std::int32_t n) const {
-    return std::get<LoggedDecision>(
-        events[decisions[static_cast<std::size_t>(n - 1)]].what);
+    return std::get<LoggedDecision>(events[decisions[static_cast<std::size_t>(n - 1)]].what);
   }
 };
 
@@ -217,8 +216,8 @@ struct LogDocument {
 inline constexpr std::size_t kLongestLogLine = 16U << 20U;
 inline constexpr int kDeepestLogNesting = 64;
 
-/// Reads a log; `file_name` is for messages. Throws ScenarioError naming file and line when the input is
-/// not a complete log of this format. Keys it does not know are ignored.
+/// Reads a log; `file_name` is for messages. Throws ScenarioError naming file and line when the
+/// input is not a complete log of this format. Keys it does not know are ignored.
 [[nodiscard]] LogDocument read_event_log(std::istream& stream, const std::string& file_name);
 
 /// Opens and reads the file. Throws ScenarioError, also when it cannot be read.

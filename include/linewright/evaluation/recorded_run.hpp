@@ -29,7 +29,8 @@ struct RecordedRun {
   std::optional<Tick> makespan;
 };
 
-/// Reads a record for the line. Throws ScenarioError naming the file and every entry that does not fit.
+/// Reads a record for the line. Throws ScenarioError naming the file and every entry that does not
+/// fit.
 [[nodiscard]] RecordedRun load_recorded_run(const std::string& file, const LineModel& line);
 
 /// A recorded milestone beside ours of the same name, label and rank.
@@ -38,9 +39,9 @@ struct MilestoneComparison {
   std::optional<Tick> ours;  ///< none: did not happen (that often)
 };
 
-/// Milestones of the record beside those of a replay's log. A record's `name` with `label` means our
-/// milestone `name.label`, else `name`, else (task_start, task_end) the log's own; without label all
-/// `name` and `name.*` in order of time.
+/// Milestones of the record beside those of a replay's log. A record's `name` with `label` means
+/// our milestone `name.label`, else `name`, else (task_start, task_end) the log's own; without
+/// label all `name` and `name.*` in order of time.
 [[nodiscard]] std::vector<MilestoneComparison> compare_milestones(const RecordedRun& run,
                                                                   const LineModel& line,
                                                                   const EventLog& log);

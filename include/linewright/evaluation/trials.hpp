@@ -23,8 +23,8 @@ struct Configuration {
 struct TrialPlan {
   std::vector<RunOptions> crews;  ///< one row of results each
   std::size_t trials = 100;       ///< runs per crew, >= 1
-  std::uint64_t seed = 1;         ///< trial i starts from the same positions whatever the configuration
-  std::size_t threads = 0;        ///< 0: one per core. Never changes a result
+  std::uint64_t seed = 1;   ///< trial i starts from the same positions whatever the configuration
+  std::size_t threads = 0;  ///< 0: one per core. Never changes a result
 };
 
 /// What one worker did, as shares of the run's length; they add up to 1.
@@ -38,9 +38,9 @@ struct WorkerShares {
 /// One run.
 struct TrialResult {
   RunStatus status = RunStatus::kRunning;
-  Tick makespan = 0;           ///< of a failed run: the horizon
-  double progress = 0.0;       ///< share of the order finished
-  std::int64_t distance_mm = 0;   ///< all workers together
+  Tick makespan = 0;             ///< of a failed run: the horizon
+  double progress = 0.0;         ///< share of the order finished
+  std::int64_t distance_mm = 0;  ///< all workers together
   std::int64_t distance_ticks = 0;
   std::int32_t decisions = 0;
   std::vector<WorkerShares> workers;  ///< by WorkerId
@@ -52,7 +52,7 @@ struct TrialSummary {
   std::vector<std::int32_t> crew;  ///< workers by kind
   Spread makespan;                 ///< ticks; failed runs count with the horizon
   double success_rate = 0.0;
-  double progress = 0.0;           ///< mean share of the order finished
+  double progress = 0.0;  ///< mean share of the order finished
   Spread distance_m;
   Spread distance_ticks;
   double decisions = 0.0;
@@ -63,9 +63,9 @@ struct TrialSummary {
 /// Called now and then, from one thread at a time, with the number of finished runs.
 using TrialProgress = std::function<void(std::size_t done, std::size_t total)>;
 
-/// Runs crews x trials on several threads; [crew][trial]. The same plan gives the same results whatever
-/// the number of threads. When cancelled, returns the crews that are complete. Throws ScenarioError for a
-/// configuration or crew that does not exist.
+/// Runs crews x trials on several threads; [crew][trial]. The same plan gives the same results
+/// whatever the number of threads. When cancelled, returns the crews that are complete. Throws
+/// ScenarioError for a configuration or crew that does not exist.
 [[nodiscard]] std::vector<std::vector<TrialResult>> run_trials(const Scenario& scenario,
                                                                const Configuration& configuration,
                                                                const TrialPlan& plan,

@@ -11,13 +11,13 @@ namespace linewright {
 /// What an integer condition may read from the running line. `index` of a Variable is the id of the
 /// entity named in the comment (unused for kOrder).
 enum class VariableKind : std::uint8_t {
-  kPlaceCount,        ///< `flange_buffer`: tokens that lie there, also those reserved; for a berth:
-                      ///< items in the carrier standing there, 0 when none stands there
-  kPlaceAvailable,    ///< `flange_buffer.available`: tokens there that nobody has reserved
-  kPlaceRoom,         ///< `flange_buffer.room`: free capacity less reserved room; for a berth: room in
-                      ///< the carrier standing there, 0 when none stands there
-  kPlaceOccupied,     ///< `outfeed.occupied`: 1 when a carrier stands in the berth, else 0
-  kMachineFree,       ///< `press.free`: 1 when an operation could take it now, else 0
+  kPlaceCount,      ///< `flange_buffer`: tokens that lie there, also those reserved; for a berth:
+                    ///< items in the carrier standing there, 0 when none stands there
+  kPlaceAvailable,  ///< `flange_buffer.available`: tokens there that nobody has reserved
+  kPlaceRoom,      ///< `flange_buffer.room`: free capacity less reserved room; for a berth: room in
+                   ///< the carrier standing there, 0 when none stands there
+  kPlaceOccupied,  ///< `outfeed.occupied`: 1 when a carrier stands in the berth, else 0
+  kMachineFree,    ///< `press.free`: 1 when an operation could take it now, else 0
   kMachineWorking,    ///< `press.working`: 1 while an operation runs on it or holds it between two
                       ///< operations (claims); 0 while free and while recovering
   kOperationRunning,  ///< `weld.running`: firings of the operation in progress
@@ -25,8 +25,8 @@ enum class VariableKind : std::uint8_t {
   kTaskRunning,       ///< `load.running`: executions of the task in progress
   kTaskDone,          ///< `load.done`: executions of the task completed
   kWorkersFree,       ///< `human.free`: workers of the kind with no task
-  kCarriersFree,      ///< `cage.free`: carriers of the kind bound to no task and standing in no berth
-  kOrder,             ///< `order`: quantity ordered
+  kCarriersFree,  ///< `cage.free`: carriers of the kind bound to no task and standing in no berth
+  kOrder,         ///< `order`: quantity ordered
 };
 
 struct Variable {
@@ -41,7 +41,14 @@ struct Term {
   std::int32_t coefficient = 1;
 };
 
-enum class Relation : std::uint8_t { kEqual, kNotEqual, kLess, kLessEqual, kGreater, kGreaterEqual };
+enum class Relation : std::uint8_t {
+  kEqual,
+  kNotEqual,
+  kLess,
+  kLessEqual,
+  kGreater,
+  kGreaterEqual
+};
 
 /// sum(terms) + constant  RELATION  0.
 struct Comparison {

@@ -18,15 +18,16 @@ enum class CarrierWanted : std::uint8_t {
   kBerth,  ///< the one that stands in a given berth
 };
 
-/// One member of a task's crew: a worker or a carrier. A crew `human: 2` is two slots named `human`.
+/// One member of a task's crew: a worker or a carrier. A crew `human: 2` is two slots named
+/// `human`.
 struct CrewSlot {
-  std::string role;  ///< the name steps address it by
-  std::optional<WorkerKindId> worker;    ///< exactly one of worker and carrier is set
+  std::string role;                    ///< the name steps address it by
+  std::optional<WorkerKindId> worker;  ///< exactly one of worker and carrier is set
   std::optional<CarrierKindId> carrier;
-  bool join_late = false;                ///< workers: the task may start without it; it is bound as soon as
-                                         ///< one is free
+  bool join_late = false;  ///< workers: the task may start without it; it is bound as soon as
+                           ///< one is free
   CarrierWanted wanted = CarrierWanted::kEmpty;
-  PlaceId berth;                         ///< for CarrierWanted::kBerth
+  PlaceId berth;  ///< for CarrierWanted::kBerth
 };
 
 /// Where an item is taken from or put: a place, or the task's carrier in crew slot `slot`.
@@ -43,8 +44,8 @@ struct GoAction {
 struct FetchAction {
   std::size_t carrier_slot = 0;
 };
-/// The worker puts its carrier down: into a berth, or where it is (`berth` none). A carrier parked in
-/// a berth leaves the task and stays there until a task asks for it by that berth.
+/// The worker puts its carrier down: into a berth, or where it is (`berth` none). A carrier parked
+/// in a berth leaves the task and stays there until a task asks for it by that berth.
 struct ParkAction {
   std::size_t carrier_slot = 0;
   std::optional<PlaceId> berth;
@@ -54,9 +55,9 @@ struct ParkAction {
 struct TransferAction {
   Endpoint source;
   Endpoint destination;
-  Tick takes = 1;            ///< >= 1, per item
-  std::int32_t repeat = 1;   ///< items; waits for each to become possible. kUntilBlocked: as many as are
-                             ///< possible without waiting, maybe none
+  Tick takes = 1;           ///< >= 1, per item
+  std::int32_t repeat = 1;  ///< items; waits for each to become possible. kUntilBlocked: as many as
+                            ///< are possible without waiting, maybe none
   static constexpr std::int32_t kUntilBlocked = 0;
 };
 /// The worker starts an operation with `operated_by` and stays until its products are out; waits
@@ -69,7 +70,8 @@ struct ReleaseAction {};
 
 /// One action of one crew member, with ticks of preparation before and of settling after it.
 struct Action {
-  std::variant<GoAction, FetchAction, ParkAction, TransferAction, OperateAction, ReleaseAction> what;
+  std::variant<GoAction, FetchAction, ParkAction, TransferAction, OperateAction, ReleaseAction>
+      what;
   Tick before = 0;
   Tick after = 0;
 };
@@ -86,8 +88,8 @@ struct Step {
   std::vector<ActorSequence> sequences;  ///< in crew order
 };
 
-/// A token or room that a task reserves at the decision, so that no other can take it meanwhile. The
-/// task's own transfers use it first; what is left is given back when the task ends.
+/// A token or room that a task reserves at the decision, so that no other can take it meanwhile.
+/// The task's own transfers use it first; what is left is given back when the task ends.
 struct Reservation {
   PlaceId place;
   bool room = false;  ///< room for one token instead of one token

@@ -24,31 +24,33 @@ struct WorkerKind {
   double radius_m = 0.3;            ///< of the circle around it
   std::vector<double> footprint_m;  ///< {length, width}, or empty: a circle of radius_m
   double turning_radius_m = 0.0;
-  Tick min_leg_ticks = 0;           ///< a `go` takes at least this long, also to where it stands
-  std::vector<StationId> start;     ///< worker i starts at start[i]; empty: drawn among the stations of
-                                    ///< this kind without replacement (Station::slots each)
+  Tick min_leg_ticks = 0;        ///< a `go` takes at least this long, also to where it stands
+  std::vector<StationId> start;  ///< worker i starts at start[i]; empty: drawn among the stations
+                                 ///< of this kind without replacement (Station::slots each)
 };
 
 /// A kind of thing that workers move and that holds up to `capacity` items of one material.
 struct CarrierKind {
   std::string name;
   CountRange count;
-  std::optional<WorkerKindId> count_as;  ///< as many as there are workers of this kind (overrides count)
+  std::optional<WorkerKindId>
+      count_as;  ///< as many as there are workers of this kind (overrides count)
   std::int32_t capacity = 1;
   WorkerKindId moved_by;
-  std::vector<StationId> start;          ///< as WorkerKind::start; drawn among the mover's stations
+  std::vector<StationId> start;  ///< as WorkerKind::start; drawn among the mover's stations
 };
 
 /// A working area with a pose per kind of worker.
 struct Station {
   std::string name;
-  std::vector<std::optional<Pose2>> poses;  ///< by worker kind; none: that kind has no business there
-  std::vector<std::int32_t> slots;          ///< by worker kind: how many may start there (default 1)
+  std::vector<std::optional<Pose2>>
+      poses;                        ///< by worker kind; none: that kind has no business there
+  std::vector<std::int32_t> slots;  ///< by worker kind: how many may start there (default 1)
 };
 
 /// One way from a station to another.
 struct Leg {
-  Tick ticks = -1;     ///< -1: no way known
+  Tick ticks = -1;  ///< -1: no way known
   double metres = 0.0;
 };
 
@@ -63,7 +65,9 @@ class TravelTable {
   [[nodiscard]] const Leg& leg(StationId from, StationId to) const {
     return legs_[from.index() * stations_ + to.index()];
   }
-  void set(StationId from, StationId to, Leg leg) { legs_[from.index() * stations_ + to.index()] = leg; }
+  void set(StationId from, StationId to, Leg leg) {
+    legs_[from.index() * stations_ + to.index()] = leg;
+  }
 
   /// The polyline of the leg, both ends included; empty: the straight line between the two poses.
   [[nodiscard]] const std::vector<Point2>& path(StationId from, StationId to) const;

@@ -9,12 +9,14 @@
 
 namespace linewright {
 
-/// Lets the allocator bind every late joiner that can be bound now. Afterwards the status is not kJoin.
+/// Lets the allocator bind every late joiner that can be bound now. Afterwards the status is not
+/// kJoin.
 RunStatus advance_and_join(const Simulator& simulator, SimulationState& state, Allocator& allocator,
                            EventLog* log = nullptr);
 
-/// Plays a run from `setup` to its end: the planner chooses the tasks, the allocator who does them; both
-/// are reset with `seed` first. Returns how it ended; kRunning when `cancel` was requested before.
+/// Plays a run from `setup` to its end: the planner chooses the tasks, the allocator who does them;
+/// both are reset with `seed` first. Returns how it ended; kRunning when `cancel` was requested
+/// before.
 RunStatus run_episode(const Simulator& simulator, SimulationState& state, const RunSetup& setup,
                       std::uint64_t seed, Planner& planner, Allocator& allocator,
                       EventLog* log = nullptr, const CancelToken* cancel = nullptr);

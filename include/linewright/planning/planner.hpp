@@ -12,8 +12,8 @@
 
 namespace linewright {
 
-/// The high-level agent: which task comes next (paper, Sec. 3.3). One Planner serves one run at a time;
-/// it may keep a random stream, which `reset` starts anew.
+/// The high-level agent: which task comes next (paper, Sec. 3.3). One Planner serves one run at a
+/// time; it may keep a random stream, which `reset` starts anew.
 class Planner {
  public:
   virtual ~Planner() = default;
@@ -41,7 +41,8 @@ class PlannerRegistry {
 
   [[nodiscard]] static const std::vector<Entry>& entries();
 
-  /// Throws ScenarioError for an unknown name or a bad list. The simulator must outlive the planner.
+  /// Throws ScenarioError for an unknown name or a bad list. The simulator must outlive the
+  /// planner.
   [[nodiscard]] static std::unique_ptr<Planner> make(std::string_view spec,
                                                      const Simulator& simulator);
 };

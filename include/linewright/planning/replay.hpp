@@ -21,7 +21,7 @@ struct RecordedDecision {
 struct ReplayedDecision {
   Tick recorded = 0;
   std::optional<Tick> taken;  ///< none: it never became possible
-  std::string refusal;        ///< why not at the recorded tick (the last reason, when never); else empty
+  std::string refusal;  ///< why not at the recorded tick (the last reason, when never); else empty
 };
 
 struct ReplayResult {
@@ -29,9 +29,9 @@ struct ReplayResult {
   RunStatus status = RunStatus::kRunning;
 };
 
-/// Plays recorded decisions in their order: each at its tick, or at the first later tick at which it is
-/// possible with its agents. After the last one the run goes on, without further decisions, to its end.
-/// A decision that is not possible before the run ends stops the replay there.
+/// Plays recorded decisions in their order: each at its tick, or at the first later tick at which
+/// it is possible with its agents. After the last one the run goes on, without further decisions,
+/// to its end. A decision that is not possible before the run ends stops the replay there.
 ReplayResult replay(const Simulator& simulator, SimulationState& state, const RunSetup& setup,
                     const std::vector<RecordedDecision>& decisions, Allocator& fallback,
                     EventLog* log = nullptr);

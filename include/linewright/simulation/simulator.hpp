@@ -23,9 +23,9 @@ struct PendingJoin {
   std::size_t slot = 0;
 };
 
-/// The deterministic discrete-event simulator of one line (docs/formats/scenario.md, Semantics). Holds no
-/// run: the state is the caller's, so one Simulator serves any number of runs and threads at once.
-/// Event by event, in whole ticks; no allocation once a state has been reset for the line.
+/// The deterministic discrete-event simulator of one line (docs/formats/scenario.md, Semantics).
+/// Holds no run: the state is the caller's, so one Simulator serves any number of runs and threads
+/// at once. Event by event, in whole ticks; no allocation once a state has been reset for the line.
 class Simulator {
  public:
   explicit Simulator(std::shared_ptr<const LineModel> line);
@@ -44,12 +44,12 @@ class Simulator {
   /// ended. Calling it when one of these holds changes nothing.
   RunStatus advance(SimulationState& state, EventLog* log = nullptr) const;
 
-  /// Goes on to the end of `tick` without deciding anything (kRunning), to a tick after which a late
-  /// joiner can be bound (kJoin), or to the end of the run.
+  /// Goes on to the end of `tick` without deciding anything (kRunning), to a tick after which a
+  /// late joiner can be bound (kJoin), or to the end of the run.
   RunStatus advance_to(SimulationState& state, Tick tick, EventLog* log = nullptr) const;
 
-  /// Takes the decision at tick now + 1 and simulates that tick. Returns false, and changes nothing,
-  /// when `explain_refusal` has something to say about the assignment.
+  /// Takes the decision at tick now + 1 and simulates that tick. Returns false, and changes
+  /// nothing, when `explain_refusal` has something to say about the assignment.
   bool assign(SimulationState& state, const Assignment& assignment, EventLog* log = nullptr) const;
 
   /// The decision to wait: goes on to the end of the next tick in which something happens. Returns
@@ -59,8 +59,8 @@ class Simulator {
   /// A late joiner that can be bound before the next decision: the oldest execution first.
   [[nodiscard]] std::optional<PendingJoin> pending_join(const SimulationState& state) const;
 
-  /// Binds a free worker of the slot's kind at tick now + 1. Returns false, and changes nothing, when
-  /// the worker does not fit or nothing is pending.
+  /// Binds a free worker of the slot's kind at tick now + 1. Returns false, and changes nothing,
+  /// when the worker does not fit or nothing is pending.
   bool join(SimulationState& state, PendingJoin pending, WorkerId worker,
             EventLog* log = nullptr) const;
 
@@ -68,7 +68,8 @@ class Simulator {
   [[nodiscard]] std::string explain_refusal(const SimulationState& state,
                                             const Assignment& assignment) const;
 
-  /// Why the task is not selectable now, in words (the first condition that fails); empty when it is.
+  /// Why the task is not selectable now, in words (the first condition that fails); empty when it
+  /// is.
   [[nodiscard]] std::string explain_unselectable(const SimulationState& state, TaskId task) const;
 
   /// Whether the carrier is one that the slot may be given now.
@@ -78,8 +79,9 @@ class Simulator {
   /// The value of a variable of the line now.
   [[nodiscard]] std::int32_t value(const SimulationState& state, Variable variable) const;
 
-  /// Appends every value that a condition or a rule can read and that can matter for the future: the
-  /// marking, machines, who is free; counts of what has been done only where a condition reads them.
+  /// Appends every value that a condition or a rule can read and that can matter for the future:
+  /// the marking, machines, who is free; counts of what has been done only where a condition reads
+  /// them.
   void append_marking(const SimulationState& state, std::vector<std::int32_t>& values) const;
 
   /// Share of the order that is finished, 0 ... 1.
@@ -88,7 +90,8 @@ class Simulator {
   /// Where the worker is at the end of tick `at` (state.now or later, as far as its way is known).
   [[nodiscard]] Pose2 worker_pose(const SimulationState& state, WorkerId worker, Tick at) const;
 
-  /// Ticks of way from where the worker really is (the rest of its way first) to the station; -1: none.
+  /// Ticks of way from where the worker really is (the rest of its way first) to the station; -1:
+  /// none.
   [[nodiscard]] Leg route_from_worker(const SimulationState& state, WorkerId worker,
                                       StationId to) const;
 

@@ -13,15 +13,16 @@ namespace linewright {
 /// How a run stands.
 enum class RunStatus : std::uint8_t {
   kDecision,  ///< a task is selectable: the next decision is due at tick now + 1
-  kJoin,      ///< a worker is free whom a running task waits for: bind one (Simulator::join) at tick now + 1
+  kJoin,  ///< a worker is free whom a running task waits for: bind one (Simulator::join) at tick
+          ///< now + 1
   kFinished,  ///< done_when holds; `now` is the makespan
   kDeadlock,  ///< nothing is under way and nothing is selectable; more time does not help
   kHorizon,   ///< the horizon has passed
   kRunning,   ///< between the above; `Simulator::advance` goes on
 };
 
-/// One worker of the run. While it moves, `from` and `station` are the ends of its way and `depart`,
-/// `arrive` the ticks; standing, `station` is where it stands and `arrive` <= now.
+/// One worker of the run. While it moves, `from` and `station` are the ends of its way and
+/// `depart`, `arrive` the ticks; standing, `station` is where it stands and `arrive` <= now.
 struct WorkerState {
   enum class Phase : std::uint8_t { kNone, kBefore, kMain, kWaiting, kAfter };
 
@@ -36,8 +37,8 @@ struct WorkerState {
   std::int32_t items = 0;  ///< items moved in the current transfer
   Tick depart = 0;
   Tick arrive = 0;
-  Tick since = 0;               ///< tick of the assignment, or of becoming free
-  Tick work_since = 0;          ///< when the item in hand was picked up or the operation started
+  Tick since = 0;       ///< tick of the assignment, or of becoming free
+  Tick work_since = 0;  ///< when the item in hand was picked up or the operation started
   // Totals of the run so far.
   Tick travel_ticks = 0;
   Tick work_ticks = 0;
@@ -56,8 +57,8 @@ struct CarrierState {
   std::int16_t berth = -1;     ///< place
   std::int16_t material = -1;  ///< of what is in it; -1 when empty
   std::int32_t items = 0;
-  std::int32_t leaving = 0;    ///< items reserved to be taken out
-  std::int32_t coming = 0;     ///< room reserved for items to be put in
+  std::int32_t leaving = 0;  ///< items reserved to be taken out
+  std::int32_t coming = 0;   ///< room reserved for items to be put in
 
   [[nodiscard]] bool free() const { return execution < 0 && berth < 0; }
 };
@@ -75,10 +76,10 @@ struct Execution {
   std::int16_t task = -1;  ///< -1: unused entry
   std::int16_t step = 0;
   std::int16_t open_sequences = 0;
-  std::uint8_t missing = 0;   ///< bit per crew slot: a late joiner not bound yet
-  std::uint8_t gone = 0;      ///< bit per crew slot: released, or parked in a berth
-  std::uint32_t reserved = 0; ///< bit per Task::reserves entry still held
-  std::int32_t serial = 0;    ///< 1, 2, 3, ... in order of the decisions
+  std::uint8_t missing = 0;    ///< bit per crew slot: a late joiner not bound yet
+  std::uint8_t gone = 0;       ///< bit per crew slot: released, or parked in a berth
+  std::uint32_t reserved = 0;  ///< bit per Task::reserves entry still held
+  std::int32_t serial = 0;     ///< 1, 2, 3, ... in order of the decisions
   Tick started = 0;
   std::array<std::int16_t, kMaxCrew> members{};
 };
@@ -100,17 +101,17 @@ struct SimulationState {
   RunStatus status = RunStatus::kRunning;
   std::int32_t decisions = 0;
   std::int32_t serials = 0;
-  std::int32_t missing = 0;  ///< crew slots of running tasks that a late joiner has to fill
-  std::vector<std::int32_t> values;         ///< everything a condition can read; see CompiledLine
+  std::int32_t missing = 0;          ///< crew slots of running tasks that a late joiner has to fill
+  std::vector<std::int32_t> values;  ///< everything a condition can read; see CompiledLine
   std::vector<std::uint64_t> dirty_operations;
   std::vector<std::uint64_t> dirty_tasks;
-  std::vector<std::uint64_t> selectable;    ///< bit per task (and one more: done_when)
+  std::vector<std::uint64_t> selectable;  ///< bit per task (and one more: done_when)
   std::vector<WorkerState> workers;
   std::vector<CarrierState> carriers;
   std::vector<MachineState> machines;
   std::vector<Execution> executions;
-  std::vector<Event> events;                ///< descending, so that the next one is at the back
-  std::vector<std::int16_t> waiting;        ///< workers whose action waits for tokens, room or machines
+  std::vector<Event> events;          ///< descending, so that the next one is at the back
+  std::vector<std::int16_t> waiting;  ///< workers whose action waits for tokens, room or machines
 
   [[nodiscard]] bool ended() const {
     return status == RunStatus::kFinished || status == RunStatus::kDeadlock ||
