@@ -1,11 +1,11 @@
 // The scenarios and the schema that are shipped fit the loader.
 
+#include <gtest/gtest.h>
+
 #include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <string>
-
-#include <gtest/gtest.h>
 
 #include "linewright/base/diagnostic.hpp"
 #include "linewright/scenario/load.hpp"

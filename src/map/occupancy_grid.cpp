@@ -44,8 +44,8 @@ void OccupancyGrid::add_obstacle(const Rectangle& obstacle, double clearance_m) 
   // Touching is not covering: an obstacle that ends on a cell's edge leaves the cell free.
   constexpr double kSlack = 1e-9;
   for (std::int32_t row = std::max(0, low.row); row <= std::min(high.row, rows_ - 1); ++row) {
-    for (std::int32_t column = std::max(0, low.column); column <= std::min(high.column, columns_ - 1);
-         ++column) {
+    for (std::int32_t column = std::max(0, low.column);
+         column <= std::min(high.column, columns_ - 1); ++column) {
       const Point2 middle = center({column, row});
       const bool covered = gap(middle.x_m, obstacle.x0_m, obstacle.x1_m) < half - kSlack &&
                            gap(middle.y_m, obstacle.y0_m, obstacle.y1_m) < half - kSlack;
@@ -60,7 +60,8 @@ bool OccupancyGrid::contains(Cell cell) const {
 }
 
 Cell OccupancyGrid::cell_at(Point2 point) const {
-  return {to_index((point.x_m - bounds_.x0_m) / cell_m_), to_index((point.y_m - bounds_.y0_m) / cell_m_)};
+  return {to_index((point.x_m - bounds_.x0_m) / cell_m_),
+          to_index((point.y_m - bounds_.y0_m) / cell_m_)};
 }
 
 Point2 OccupancyGrid::center(Cell cell) const {

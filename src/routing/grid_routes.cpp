@@ -11,7 +11,8 @@ namespace {
 
 /// The last point that is seen from `points[from]`, found by doubling the distance and halving it
 /// again: not always the very last one, but always one that is seen.
-std::size_t last_seen(const OccupancyGrid& grid, const std::vector<Point2>& points, std::size_t from) {
+std::size_t last_seen(const OccupancyGrid& grid, const std::vector<Point2>& points,
+                      std::size_t from) {
   const std::size_t end = points.size();
   std::size_t seen = from + 1;  // neighbours always see each other
   std::size_t step = 1;
@@ -77,7 +78,8 @@ GridRoute reversed(GridRoute route) {
   return route;
 }
 
-GridRoute route_to(const OccupancyGrid& grid, const GridSearch& search, const End& from, const End& to) {
+GridRoute route_to(const OccupancyGrid& grid, const GridSearch& search, const End& from,
+                   const End& to) {
   if (!to.cell) return {RouteStatus::kGoalOccupied, 0.0, {}};
   if (search.cost(*to.cell) < 0.0) return {RouteStatus::kUnreachable, 0.0, {}};
   return between(grid, search.way_to(*to.cell), from, to);
@@ -120,7 +122,8 @@ std::vector<std::vector<GridRoute>> grid_routes(const OccupancyGrid& grid,
                                                 const std::vector<Point2>& points,
                                                 const GridRouteOptions& options) {
   std::vector<End> ends;
-  for (const Point2 point : points) ends.push_back({point, free_cell_near(grid, point, options.snap_m)});
+  for (const Point2 point : points)
+    ends.push_back({point, free_cell_near(grid, point, options.snap_m)});
   std::vector<std::vector<GridRoute>> routes(points.size(), std::vector<GridRoute>(points.size()));
   GridSearch search(grid);
   for (std::size_t from = 0; from < ends.size(); ++from) {

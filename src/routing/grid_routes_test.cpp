@@ -1,9 +1,9 @@
 #include "linewright/routing/grid_routes.hpp"
 
+#include <gtest/gtest.h>
+
 #include <cmath>
 #include <limits>
-
-#include <gtest/gtest.h>
 
 #include "grid_search.hpp"
 #include "linewright/base/random.hpp"
@@ -40,7 +40,8 @@ std::vector<double> reference_costs(const OccupancyGrid& grid, Cell start) {
         for (std::int32_t dy = -1; dy <= 1; ++dy) {
           const Cell n{c.column + dx, c.row + dy};
           if ((dx == 0 && dy == 0) || grid.occupied(n)) continue;
-          if (grid.occupied({c.column + dx, c.row}) || grid.occupied({c.column, c.row + dy})) continue;
+          if (grid.occupied({c.column + dx, c.row}) || grid.occupied({c.column, c.row + dy}))
+            continue;
           const double through = cost[i] + std::hypot(dx, dy);
           if (through < cost[grid.index(n)] - 1e-9) {
             cost[grid.index(n)] = through;

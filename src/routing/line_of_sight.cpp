@@ -8,8 +8,8 @@ namespace {
 
 /// Walks along one axis: at which share of the segment the next cell edge is crossed.
 struct Axis {
-  std::int32_t step = 0;                                     ///< -1, 0 or 1
-  double next = std::numeric_limits<double>::infinity();     ///< share at the next crossing
+  std::int32_t step = 0;                                    ///< -1, 0 or 1
+  double next = std::numeric_limits<double>::infinity();    ///< share at the next crossing
   double stride = std::numeric_limits<double>::infinity();  ///< share between two crossings
 
   /// `start` and `delta` in cells.
@@ -28,9 +28,12 @@ bool line_of_sight(const OccupancyGrid& grid, Point2 from, Point2 to) {
   const Cell last = grid.cell_at(to);
   Cell cell = grid.cell_at(from);
   if (grid.occupied(cell) || grid.occupied(last)) return false;
-  // In units of cells, relative to a cell centre, so that the fractions are exact enough everywhere.
+  // In units of cells, relative to a cell centre, so that the fractions are exact enough
+  // everywhere.
   const Point2 origin = grid.center({0, 0});
-  const auto in_cells = [&](double value, double zero) { return (value - zero) / grid.cell_m() + 0.5; };
+  const auto in_cells = [&](double value, double zero) {
+    return (value - zero) / grid.cell_m() + 0.5;
+  };
   const double x = in_cells(from.x_m, origin.x_m);
   const double y = in_cells(from.y_m, origin.y_m);
   Axis columns(x, in_cells(to.x_m, origin.x_m) - x);

@@ -1,7 +1,7 @@
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <utility>
-
-#include <fmt/format.h>
 
 #include "build_state.hpp"
 #include "positions.hpp"
@@ -39,7 +39,8 @@ class OperationBuilder {
     if (list == nullptr) return uses;
     for (const SourceNode& item : list->items) {
       if (item.is_scalar()) add_use(uses, item.text, item.mark, nullptr);
-      for (const SourceEntry& entry : item.entries) add_use(uses, entry.key, entry.mark, &entry.value);
+      for (const SourceEntry& entry : item.entries)
+        add_use(uses, entry.key, entry.mark, &entry.value);
     }
     return uses;
   }
@@ -49,7 +50,8 @@ class OperationBuilder {
     const auto id = reference(state_, Section::kMachines, name, mark, title_);
     if (!id) return;
     if (std::find(machines_.begin(), machines_.end(), *id) != machines_.end()) {
-      state_.problems.error(mark, fmt::format("{}: machine {} is listed twice", title_, in_quotes(name)),
+      state_.problems.error(mark,
+                            fmt::format("{}: machine {} is listed twice", title_, in_quotes(name)),
                             "name a machine in one of uses, claims and frees");
       return;
     }
@@ -97,7 +99,8 @@ class OperationBuilder {
       return flow.place == PlaceId(*id);
     });
     if (twice) {
-      state_.problems.error(mark, fmt::format("{}: place {} is listed twice", title_, in_quotes(name)),
+      state_.problems.error(mark,
+                            fmt::format("{}: place {} is listed twice", title_, in_quotes(name)),
                             fmt::format("write {{{}: 2}} for two tokens", name));
       return;
     }

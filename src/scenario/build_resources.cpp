@@ -1,7 +1,7 @@
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <utility>
-
-#include <fmt/format.h>
 
 #include "build_state.hpp"
 #include "limits.hpp"
@@ -13,7 +13,8 @@ namespace {
 
 std::string without_spaces(std::string_view text) {
   std::string result;
-  std::copy_if(text.begin(), text.end(), std::back_inserter(result), [](char c) { return c != ' '; });
+  std::copy_if(text.begin(), text.end(), std::back_inserter(result),
+               [](char c) { return c != ' '; });
   return result;
 }
 
@@ -35,9 +36,9 @@ Amount initial_of(BuildState& state, const SourceNode& node, const std::string& 
   if (initial == nullptr) return {};
   const auto amount = parse_amount(initial->text);
   if (!amount) {
-    state.problems.error(initial->mark,
-                         fmt::format("{}: 'initial' cannot be {}", title, in_quotes(initial->text)),
-                         fmt::format("write a number, order, or N*order with N up to {}", kMostPerOrder));
+    state.problems.error(
+        initial->mark, fmt::format("{}: 'initial' cannot be {}", title, in_quotes(initial->text)),
+        fmt::format("write a number, order, or N*order with N up to {}", kMostPerOrder));
   }
   return amount.value_or(Amount{});
 }
@@ -46,7 +47,8 @@ Amount initial_of(BuildState& state, const SourceNode& node, const std::string& 
 void refuse_amounts(BuildState& state, const SourceNode& node, const std::string& title) {
   for (const char* key : {"capacity", "initial"}) {
     if (const SourceNode* value = node.find(key)) {
-      state.problems.error(value->mark, fmt::format("{}: a berth has no '{}' of its own", title, key),
+      state.problems.error(value->mark,
+                           fmt::format("{}: a berth has no '{}' of its own", title, key),
                            "its tokens are the items in the carrier that stands there");
     }
   }
@@ -72,7 +74,8 @@ void build_place(BuildState& state, std::int32_t id, const SourceNode& node) {
   place.at = reference_at<StationId>(state, Section::kStations, node, "at", title);
   if (node.find("carrier") != nullptr) {
     refuse_amounts(state, node, title);
-    const auto kind = reference_at<CarrierKindId>(state, Section::kCarriers, node, "carrier", title);
+    const auto kind =
+        reference_at<CarrierKindId>(state, Section::kCarriers, node, "carrier", title);
     const bool early = text_or(node, "occupied", "on_arrival") == "on_assignment";
     place.berth = Berth{kind.value_or(CarrierKindId{}),
                         early ? BerthOccupied::kOnAssignment : BerthOccupied::kOnArrival};
@@ -91,9 +94,11 @@ void read_positions(BuildState& state, const SourceNode& node, const std::string
     if (item.is_broken()) continue;
     const bool twice = std::find(machine.positions.begin(), machine.positions.end(), item.text) !=
                        machine.positions.end();
-    const auto fault = twice ? std::optional<std::string>("it is listed twice") : name_fault(item.text);
+    const auto fault =
+        twice ? std::optional<std::string>("it is listed twice") : name_fault(item.text);
     if (fault) {
-      state.problems.error(item.mark, fmt::format("{}: position {}: {}", title, in_quotes(item.text), *fault),
+      state.problems.error(item.mark,
+                           fmt::format("{}: position {}: {}", title, in_quotes(item.text), *fault),
                            "choose another name");
     }
     machine.positions.push_back(item.text);
@@ -138,7 +143,8 @@ void read_homing(BuildState& state, const SourceNode& node, const std::string& t
     }
   }
   const SourceNode* to = source->find("to");
-  const auto home = to != nullptr ? position(state, machine, to->text, to->mark, title) : std::nullopt;
+  const auto home =
+      to != nullptr ? position(state, machine, to->text, to->mark, title) : std::nullopt;
   if (!home) return;
   homing.home = *home;
   homing.takes[static_cast<std::size_t>(*home)] = 0;
@@ -172,7 +178,8 @@ std::optional<std::int32_t> position(BuildState& state, const Machine& machine,
   if (hint.empty()) hint = "give the machine 'positions'";
   const bool is_own = title == "machine " + in_quotes(machine.name);
   const std::string of = is_own ? "" : fmt::format(" of machine {}", in_quotes(machine.name));
-  state.problems.error(mark, fmt::format("{}: there is no position {}{}", title, in_quotes(name), of), hint);
+  state.problems.error(
+      mark, fmt::format("{}: there is no position {}{}", title, in_quotes(name), of), hint);
   return std::nullopt;
 }
 

@@ -1,8 +1,8 @@
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
-
-#include <fmt/format.h>
 
 #include "build_state.hpp"
 #include "limits.hpp"
@@ -28,8 +28,9 @@ void build_order(BuildState& state) {
   if (const SourceNode* product = node->find("product")) {
     order.product = product->text;
     if (const auto fault = name_fault(product->text)) {
-      state.problems.error(product->mark, fmt::format("the order: {} cannot be the name of a product: {}",
-                                                      in_quotes(product->text), *fault));
+      state.problems.error(product->mark,
+                           fmt::format("the order: {} cannot be the name of a product: {}",
+                                       in_quotes(product->text), *fault));
     }
   }
   const auto place =
@@ -61,9 +62,9 @@ void build_horizon(BuildState& state) {
   for (const SourceEntry& entry : node->entries) {
     const auto quantity = parse_integer(entry.key);
     if (!quantity || *quantity < 1 || *quantity > kLargestAmount) {
-      state.problems.error(entry.mark,
-                           fmt::format("'horizon': {} is not an order quantity", in_quotes(entry.key)),
-                           "write horizon: {5: 2000, 10: 3000}");
+      state.problems.error(
+          entry.mark, fmt::format("'horizon': {} is not an order quantity", in_quotes(entry.key)),
+          "write horizon: {5: 2000, 10: 3000}");
       continue;
     }
     by_order.emplace_back(static_cast<std::int32_t>(*quantity), integer_or(*node, entry.key, 1));
@@ -89,7 +90,8 @@ void build_milestone(BuildState& state, std::int32_t id, const SourceNode& node)
     const auto target = reference(state, kind.section, *named, title);
     if (!target) continue;
     state.line().milestones.push_back(
-        {state.names.names(Section::kMilestones)[static_cast<std::size_t>(id)], kind.event, *target});
+        {state.names.names(Section::kMilestones)[static_cast<std::size_t>(id)], kind.event,
+         *target});
   }
 }
 
@@ -107,7 +109,8 @@ struct Bounds {
   double x0, x1, y0, y1;
 };
 
-std::optional<Bounds> rectangle(BuildState& state, const SourceNode& node, const std::string& title) {
+std::optional<Bounds> rectangle(BuildState& state, const SourceNode& node,
+                                const std::string& title) {
   if (!node.is_list()) return std::nullopt;
   const auto number = [&](std::size_t i) { return parse_real(node.items[i].text).value_or(0.0); };
   const Bounds r{number(0), number(1), number(2), number(3)};
@@ -118,8 +121,8 @@ std::optional<Bounds> rectangle(BuildState& state, const SourceNode& node, const
 }
 
 void check_cells(BuildState& state, const SourceNode& node, const HallMap& map) {
-  const double cells = std::ceil((map.x1_m - map.x0_m) / map.cell_m) *
-                       std::ceil((map.y1_m - map.y0_m) / map.cell_m);
+  const double cells =
+      std::ceil((map.x1_m - map.x0_m) / map.cell_m) * std::ceil((map.y1_m - map.y0_m) / map.cell_m);
   if (cells <= static_cast<double>(kMostCells)) return;
   state.problems.error(node.mark,
                        fmt::format("the map: {:.0f} cells, more than {}", cells, kMostCells),
@@ -148,7 +151,8 @@ void build_map(BuildState& state) {
   HallMap map{hall->x0, hall->x1, hall->y0, hall->y1, real_or(*node, "cell_m", 0.25), {}};
   if (const SourceNode* obstacles = node->find("obstacles")) {
     for (const SourceEntry& entry : obstacles->entries) {
-      const auto r = rectangle(state, entry.value, fmt::format("obstacle {}", in_quotes(entry.key)));
+      const auto r =
+          rectangle(state, entry.value, fmt::format("obstacle {}", in_quotes(entry.key)));
       if (r) map.obstacles.push_back({entry.key, r->x0, r->x1, r->y0, r->y1});
     }
   }

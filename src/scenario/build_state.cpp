@@ -1,10 +1,10 @@
 #include "build_state.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <utility>
 #include <variant>
-
-#include <fmt/format.h>
 
 #include "condition_parser.hpp"
 
@@ -99,8 +99,9 @@ LookupResult look_up(const BuildState& state, std::string_view text) {
   }
   const std::string fault = word.empty() ? "has no number of its own"
                                          : fmt::format("has no attribute {}", in_quotes(word));
-  return ConditionFault{fmt::format("{} {} {}", section_noun(found->section), in_quotes(name), fault),
-                        "write " + variables_of(found->section, name)};
+  return ConditionFault{
+      fmt::format("{} {} {}", section_noun(found->section), in_quotes(name), fault),
+      "write " + variables_of(found->section, name)};
 }
 
 std::optional<Condition> parse_at(BuildState& state, const SourceNode& node,
@@ -124,6 +125,11 @@ BuildState::BuildState(const SourceNode& checked_root, Problems& found)
   }
 }
 
+bool BuildState::all_sound(Section section) const {
+  const auto& flags = sound[static_cast<std::size_t>(section)];
+  return std::find(flags.begin(), flags.end(), false) == flags.end();
+}
+
 void BuildState::each(Section section,
                       const std::function<void(std::int32_t id, const SourceNode& node)>& build) {
   for (std::size_t i = 0; i < names.size(section); ++i) {
@@ -140,16 +146,17 @@ std::optional<std::int32_t> reference(BuildState& state, Section section, const 
   if (const auto id = state.names.find(section, name)) return id;
   const std::string wanted = with_article(section);
   if (const auto other = elsewhere(state.names, name)) {
-    state.problems.error(mark,
-                         fmt::format("{}: {} is {}, not {}", title, in_quotes(name),
-                                     with_article(*other), wanted),
-                         state.problems.hint(name, state.names.names(section)));
+    state.problems.error(
+        mark,
+        fmt::format("{}: {} is {}, not {}", title, in_quotes(name), with_article(*other), wanted),
+        state.problems.hint(name, state.names.names(section)));
     return std::nullopt;
   }
   std::string hint = state.problems.hint(name, state.names.names(section));
   if (hint.empty()) hint = fmt::format("the file has no '{}' yet", section_key(section));
   state.problems.error(
-      mark, fmt::format("{}: there is no {} {}", title, section_noun(section), in_quotes(name)), hint);
+      mark, fmt::format("{}: there is no {} {}", title, section_noun(section), in_quotes(name)),
+      hint);
   return std::nullopt;
 }
 
@@ -172,8 +179,8 @@ Condition condition_at(BuildState& state, const SourceNode& mapping, std::string
     if (!condition) continue;
     auto joined = both(std::move(result), *condition);
     if (!joined) {
-      state.problems.error(item.mark, fmt::format("{}: the list of conditions is too long",
-                                                  subject),
+      state.problems.error(item.mark,
+                           fmt::format("{}: the list of conditions is too long", subject),
                            "split the operation or task in two");
       return {};
     }

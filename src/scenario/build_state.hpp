@@ -24,7 +24,7 @@ struct BuildState {
   const SourceNode& root;  ///< checked against the key tables
   NameTable names;
   Scenario scenario;
-  std::vector<TaskSource> task_sources;             ///< by task id
+  std::vector<TaskSource> task_sources;            ///< by task id
   std::array<std::vector<bool>, kSections> sound;  ///< by section and id: nothing wrong reported
 
   BuildState(const SourceNode& checked_root, Problems& found);
@@ -38,6 +38,7 @@ struct BuildState {
   [[nodiscard]] bool is_sound(Section section, std::int32_t id) const {
     return sound[static_cast<std::size_t>(section)][static_cast<std::size_t>(id)];
   }
+  [[nodiscard]] bool all_sound(Section section) const;
 };
 
 /// The id that a scalar names; reports when there is none. `title` is the entry that names it.
@@ -72,7 +73,7 @@ void build_places(BuildState& state);
 void build_machines(BuildState& state);
 void build_operations(BuildState& state);
 void build_tasks(BuildState& state);
-void build_run(BuildState& state);     ///< order, horizon, milestones and the rest
+void build_run(BuildState& state);  ///< order, horizon, milestones and the rest
 void build_map(BuildState& state);
 
 // Everything that needs the whole line. Entries with problems of their own are left out.
@@ -80,7 +81,8 @@ void check_workers(const BuildState& state);
 void check_places(const BuildState& state);
 void check_machines(const BuildState& state);
 void check_operations(const BuildState& state);
-void check_tasks(const BuildState& state);
+void check_crews(const BuildState& state);
+void check_tasks(const BuildState& state);  ///< what the crews do, step by step
 void check_order(const BuildState& state);
 
 /// Ways between the stations, for every kind of worker; reports ways that are needed and not there.

@@ -1,7 +1,7 @@
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <utility>
-
-#include <fmt/format.h>
 
 #include "build_state.hpp"
 #include "limits.hpp"
@@ -98,7 +98,8 @@ class TaskBuilder {
       slot.wanted = CarrierWanted::kBerth;
       slot.berth = PlaceId(reference(state_, Section::kPlaces, wanted, title_).value_or(0));
     } else if (!wanted.is_broken() && wanted.text != "empty") {
-      error(wanted.mark, fmt::format("{} is a carrier, of which a task has one", in_quotes(entry.key)),
+      error(wanted.mark,
+            fmt::format("{} is a carrier, of which a task has one", in_quotes(entry.key)),
             fmt::format("write {}: empty, {}: any, or the name of a berth", entry.key, entry.key));
     }
     task_.crew.push_back(std::move(slot));
@@ -109,6 +110,12 @@ class TaskBuilder {
     if (reserves == nullptr) return;
     if (!reserves->is_list()) return add_reservation(*reserves);
     for (const SourceNode& item : reserves->items) add_reservation(item);
+    if (task_.reserves.size() > kMostReserves) {
+      error(reserves->mark,
+            fmt::format("{} reservations, more than {}", task_.reserves.size(), kMostReserves),
+            "a task that needs so many is better split");
+      task_.reserves.resize(kMostReserves);
+    }
   }
 
   void add_reservation(const SourceNode& node) {
@@ -136,7 +143,8 @@ class TaskBuilder {
       source_.actions.back().push_back(std::move(marks));
     }
     task_.steps.push_back(std::move(step));
-    if (node.is_mapping() && node.entries.empty()) error(node.mark, "a step without any action", "remove it");
+    if (node.is_mapping() && node.entries.empty())
+      error(node.mark, "a step without any action", "remove it");
   }
 
   /// The crew slots that act under the name `entry.key`.
@@ -263,7 +271,8 @@ class TaskBuilder {
       }
       return names;
     };
-    error(node.mark, fmt::format("{} is neither a place nor the crew's carrier", in_quotes(node.text)),
+    error(node.mark,
+          fmt::format("{} is neither a place nor the crew's carrier", in_quotes(node.text)),
           state_.problems.hint(node.text, known));
     return std::nullopt;
   }

@@ -1,7 +1,7 @@
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <utility>
-
-#include <fmt/format.h>
 
 #include "build_state.hpp"
 #include "values.hpp"
@@ -21,9 +21,10 @@ CountRange count_range(BuildState& state, const SourceNode& node, const std::str
   };
   const CountRange range{bound(0), bound(1)};
   if (range.min > range.max) {
-    state.problems.error(count->mark,
-                         fmt::format("{}: 'count' goes from {} down to {}", title, range.min, range.max),
-                         fmt::format("write [{}, {}]", range.max, range.min));
+    state.problems.error(
+        count->mark,
+        fmt::format("{}: 'count' goes from {} down to {}", title, range.min, range.max),
+        fmt::format("write [{}, {}]", range.max, range.min));
     return {};
   }
   return range;
@@ -39,7 +40,8 @@ std::vector<StationId> start_stations(BuildState& state, const SourceNode& node,
                          "write random_station, or one station for each");
   }
   for (const SourceNode& item : start->items) {
-    if (const auto id = reference(state, Section::kStations, item, title)) stations.emplace_back(*id);
+    if (const auto id = reference(state, Section::kStations, item, title))
+      stations.emplace_back(*id);
   }
   return stations;
 }
@@ -100,9 +102,10 @@ void build_slots(BuildState& state, const SourceNode& slots, const std::string& 
     if (!kind || entry.value.is_broken()) continue;
     const auto index = static_cast<std::size_t>(*kind);
     if (!station.poses[index]) {
-      state.problems.error(entry.mark,
-                           fmt::format("{}: slots for {} without a pose for it", title, in_quotes(entry.key)),
-                           fmt::format("write {}: [x_m, y_m, yaw_rad]", entry.key));
+      state.problems.error(
+          entry.mark,
+          fmt::format("{}: slots for {} without a pose for it", title, in_quotes(entry.key)),
+          fmt::format("write {}: [x_m, y_m, yaw_rad]", entry.key));
       continue;
     }
     station.slots[index] = integer_or(slots, entry.key, 1);

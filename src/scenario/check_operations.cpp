@@ -1,23 +1,19 @@
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <limits>
 #include <set>
 #include <utility>
 
-#include <fmt/format.h>
-
 #include "build_state.hpp"
 #include "machine_motion.hpp"
+#include "task_actions.hpp"
 #include "values.hpp"
 
 namespace linewright::loading {
 namespace {
 
 using UseList = std::vector<MachineUse> Operation::*;
-
-bool all_sound(const BuildState& state, Section section) {
-  const auto& sound = state.sound[static_cast<std::size_t>(section)];
-  return std::find(sound.begin(), sound.end(), false) == sound.end();
-}
 
 bool mentions(const Operation& operation, UseList list, MachineId machine) {
   const auto& uses = operation.*list;
@@ -39,32 +35,43 @@ void check_claims(const BuildState& state, MachineId machine) {
   const auto freed = first_with(line, &Operation::frees, machine);
   if (claimed.has_value() == freed.has_value()) return;
   const std::size_t operation = claimed ? *claimed : *freed;
-  const std::string title = state.names.title(Section::kOperations, static_cast<std::int32_t>(operation));
+  const std::string title =
+      state.names.title(Section::kOperations, static_cast<std::int32_t>(operation));
   const std::string name = in_quotes(line.machines[machine.index()].name);
-  const SourceMark mark = mark_of(
-      state.names.node(Section::kOperations, static_cast<std::int32_t>(operation)), claimed ? "claims" : "frees");
+  const SourceMark mark =
+      mark_of(state.names.node(Section::kOperations, static_cast<std::int32_t>(operation)),
+              claimed ? "claims" : "frees");
   if (claimed) {
-    state.problems.error(mark, fmt::format("{} claims machine {}, but no operation frees it", title, name),
-                         "list it under 'uses', or under 'frees' of the operation that lets it go");
+    state.problems.error(
+        mark, fmt::format("{} claims machine {}, but no operation frees it", title, name),
+        "list it under 'uses', or under 'frees' of the operation that lets it go");
   } else {
-    state.problems.error(mark, fmt::format("{} frees machine {}, but no operation claims it", title, name),
-                         "list it under 'uses', or under 'claims' of the operation that takes it");
+    state.problems.error(
+        mark, fmt::format("{} frees machine {}, but no operation claims it", title, name),
+        "list it under 'uses', or under 'claims' of the operation that takes it");
   }
 }
 
 /// Checks what one operation asks of its machines, and how long it lasts at least.
 class OperationCheck {
  public:
-  OperationCheck(const BuildState& state, std::int32_t id, const std::vector<MachineMotion>& motions)
+  OperationCheck(const BuildState& state, std::int32_t id,
+                 const std::vector<MachineMotion>& motions)
       : state_(state),
         id_(id),
         operation_(state.line().operations[static_cast<std::size_t>(id)]),
         motions_(motions) {}
 
   void run() {
+    if (starts_for_ever()) {
+      state_.problems.error(
+          mark(), title() + " waits for nothing: it would start again and again in one tick",
+          "let it consume something, use a machine, or produce into a place with a capacity");
+    }
     for (const MachineUse& use : operation_.uses) add_travel(use, idle_starts(use));
     for (const MachineUse& use : operation_.claims) add_travel(use, idle_starts(use));
-    for (const MachineUse& use : operation_.frees) add_travel(use, motions_[use.machine.index()].held);
+    for (const MachineUse& use : operation_.frees)
+      add_travel(use, motions_[use.machine.index()].held);
     if (!travel_known_ || operation_.takes + least_travel_ >= 1) return;
     const char* hint = moves_ ? "write takes: N; the machine may stand there already"
                               : "write takes: N with N of at least 1";
@@ -72,6 +79,19 @@ class OperationCheck {
   }
 
  private:
+  /// Nothing that a start takes away could keep the next one from happening.
+  [[nodiscard]] bool starts_for_ever() const {
+    if (operation_.operated_by || !operation_.consumes.empty() || !operation_.uses.empty() ||
+        !operation_.claims.empty() || !operation_.frees.empty()) {
+      return false;
+    }
+    return std::none_of(operation_.produces.begin(), operation_.produces.end(),
+                        [&](const TokenFlow& flow) {
+                          const Place& place = state_.line().places[flow.place.index()];
+                          return place.capacity.has_value() || place.berth.has_value();
+                        });
+  }
+
   [[nodiscard]] std::string title() const { return state_.names.title(Section::kOperations, id_); }
   [[nodiscard]] SourceMark mark() const { return state_.names.mark(Section::kOperations, id_); }
 
@@ -155,29 +175,24 @@ void check_homing(const BuildState& state, std::int32_t id) {
 std::set<std::int32_t> operated_by_tasks(const LineModel& line) {
   std::set<std::int32_t> operated;
   for (const Task& task : line.tasks) {
-    for (const Step& step : task.steps) {
-      for (const ActorSequence& sequence : step.sequences) {
-        for (const Action& action : sequence.actions) {
-          const auto* operate = std::get_if<OperateAction>(&action.what);
-          if (operate != nullptr) operated.insert(operate->operation.value);
-        }
-      }
-    }
+    for_each_action_of<OperateAction>(
+        task, [&](const OperateAction& operate) { operated.insert(operate.operation.value); });
   }
   return operated;
 }
 
 void check_operated(const BuildState& state) {
-  if (!all_sound(state, Section::kTasks)) return;
+  if (!state.all_sound(Section::kTasks)) return;
   const std::set<std::int32_t> operated = operated_by_tasks(state.line());
   for (std::size_t i = 0; i < state.line().operations.size(); ++i) {
     const auto id = static_cast<std::int32_t>(i);
     if (!state.line().operations[i].operated_by || operated.contains(id)) continue;
-    state.problems.error(mark_of(state.names.node(Section::kOperations, id), "operated_by"),
-                         fmt::format("{} never starts: no task operates it",
-                                     state.names.title(Section::kOperations, id)),
-                         fmt::format("add an action {{operate: {}}} to a task, or remove 'operated_by'",
-                                     state.line().operations[i].name));
+    state.problems.error(
+        mark_of(state.names.node(Section::kOperations, id), "operated_by"),
+        fmt::format("{} never starts: no task operates it",
+                    state.names.title(Section::kOperations, id)),
+        fmt::format("add an action {{operate: {}}} to a task, or remove 'operated_by'",
+                    state.line().operations[i].name));
   }
 }
 
@@ -187,14 +202,14 @@ void check_machines(const BuildState& state) {
   for (std::size_t i = 0; i < state.line().machines.size(); ++i) {
     check_homing(state, static_cast<std::int32_t>(i));
   }
-  if (!all_sound(state, Section::kMachines) || !all_sound(state, Section::kOperations)) return;
+  if (!state.all_sound(Section::kMachines) || !state.all_sound(Section::kOperations)) return;
   for (std::size_t i = 0; i < state.line().machines.size(); ++i) check_claims(state, MachineId(i));
 }
 
 void check_operations(const BuildState& state) {
   check_operated(state);
-  if (!all_sound(state, Section::kPlaces) || !all_sound(state, Section::kMachines)) return;
-  const bool motions_known = all_sound(state, Section::kOperations);
+  if (!state.all_sound(Section::kPlaces) || !state.all_sound(Section::kMachines)) return;
+  const bool motions_known = state.all_sound(Section::kOperations);
   std::vector<MachineMotion> motions;
   for (std::size_t i = 0; motions_known && i < state.line().machines.size(); ++i) {
     motions.push_back(machine_motion(state.line(), MachineId(i)));

@@ -1,10 +1,11 @@
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <utility>
 #include <vector>
 
-#include <fmt/format.h>
-
 #include "build_state.hpp"
+#include "task_actions.hpp"
 #include "values.hpp"
 
 namespace linewright::loading {
@@ -45,22 +46,12 @@ class Reachability {
   }
 
  private:
-  template <class Visit>
-  void for_each_action(const Visit& visit) const {
-    for (const Task& task : line_.tasks) {
-      for (const Step& step : task.steps) {
-        for (const ActorSequence& sequence : step.sequences) {
-          for (const Action& action : sequence.actions) visit(task, action);
-        }
-      }
-    }
-  }
-
   void find_parked() {
-    for_each_action([this](const Task&, const Action& action) {
-      const auto* park = std::get_if<ParkAction>(&action.what);
-      if (park != nullptr && park->berth) parked_.push_back(*park->berth);
-    });
+    for (const Task& task : line_.tasks) {
+      for_each_action_of<ParkAction>(task, [this](const ParkAction& park) {
+        if (park.berth) parked_.push_back(*park.berth);
+      });
+    }
   }
 
   /// True when something new was filled.
@@ -73,11 +64,10 @@ class Reachability {
       if (!std::all_of(operation.produces.begin(), operation.produces.end(), served)) continue;
       for (const TokenFlow& flow : operation.produces) changed |= fill(flow.place);
     }
-    for_each_action([&](const Task& task, const Action& action) {
-      if (const auto* transfer = std::get_if<TransferAction>(&action.what)) {
-        changed |= move(task, *transfer);
-      }
-    });
+    for (const Task& task : line_.tasks) {
+      for_each_action_of<TransferAction>(
+          task, [&](const TransferAction& transfer) { changed |= move(task, transfer); });
+    }
     return changed;
   }
 
@@ -107,9 +97,9 @@ class Reachability {
   }
 
   const LineModel& line_;
-  std::vector<bool> filled_;   ///< by place; berths: see carried_
+  std::vector<bool> filled_;    ///< by place; berths: see carried_
   std::vector<bool> supplied_;  ///< by place: by an operation or a transfer
-  std::vector<bool> carried_;  ///< by carrier kind: something can be in one
+  std::vector<bool> carried_;   ///< by carrier kind: something can be in one
   std::vector<PlaceId> parked_;
 };
 
@@ -128,7 +118,8 @@ class Explanation {
     if (!reachable_.is_served(id)) return fmt::format("no task parks a carrier in {}", named(id));
     for (const Operation& operation : line_.operations) {
       const auto& made = operation.produces;
-      if (std::any_of(made.begin(), made.end(), [&](const TokenFlow& f) { return f.place == id; })) {
+      if (std::any_of(made.begin(), made.end(),
+                      [&](const TokenFlow& f) { return f.place == id; })) {
         return why_idle(operation);
       }
     }
@@ -155,6 +146,7 @@ class Explanation {
   }
 
   struct Source {
+    Source(Endpoint from, const Task& of) : endpoint(from), task(of) {}
     Endpoint endpoint;
     const Task& task;
   };
@@ -162,16 +154,11 @@ class Explanation {
   /// Where some task takes the items from that it puts into `id`.
   [[nodiscard]] std::optional<Source> source_of_transfer(PlaceId id) const {
     for (const Task& task : line_.tasks) {
-      for (const Step& step : task.steps) {
-        for (const ActorSequence& sequence : step.sequences) {
-          for (const Action& action : sequence.actions) {
-            const auto* transfer = std::get_if<TransferAction>(&action.what);
-            if (transfer != nullptr && transfer->destination.place == id) {
-              return Source{transfer->source, task};
-            }
-          }
-        }
-      }
+      std::optional<Source> source;
+      for_each_action_of<TransferAction>(task, [&](const TransferAction& transfer) {
+        if (transfer.destination.place == id) source.emplace(transfer.source, task);
+      });
+      if (source) return source;
     }
     return std::nullopt;
   }
@@ -179,7 +166,8 @@ class Explanation {
   std::string why_not_moved(const Source& source) {
     if (source.endpoint.place) return why_empty(*source.endpoint.place);
     return fmt::format("task {} moves items out of {}, into which nothing is ever put",
-                       in_quotes(source.task.name), in_quotes(source.task.crew[source.endpoint.slot].role));
+                       in_quotes(source.task.name),
+                       in_quotes(source.task.crew[source.endpoint.slot].role));
   }
 
   const LineModel& line_;
@@ -204,10 +192,11 @@ void check_order(const BuildState& state) {
   if (place.initial.value(quantity) >= quantity) return;
   const std::string name = in_quotes(place.name);
   if (place.capacity && *place.capacity < quantity) {
-    state.problems.error(mark_of(order, "finished_in"),
-                         fmt::format("the order can never be finished: {} holds at most {}, but {} are ordered",
-                                     name, *place.capacity, quantity),
-                         "make the place's 'capacity' larger, or write 'done_when'");
+    state.problems.error(
+        mark_of(order, "finished_in"),
+        fmt::format("the order can never be finished: {} holds at most {}, but {} are ordered",
+                    name, *place.capacity, quantity),
+        "make the place's 'capacity' larger, or write 'done_when'");
     return;
   }
   const Reachability reachable(line);

@@ -1,112 +1,23 @@
+#include <fmt/format.h>
+
 #include <algorithm>
-#include <map>
 #include <set>
 #include <utility>
 
-#include <fmt/format.h>
-
 #include "build_state.hpp"
+#include "limits.hpp"
+#include "task_actions.hpp"
 #include "values.hpp"
 
 namespace linewright::loading {
 namespace {
 
-bool parks_in(const Task& task, PlaceId berth) {
-  for (const Step& step : task.steps) {
-    for (const ActorSequence& sequence : step.sequences) {
-      for (const Action& action : sequence.actions) {
-        const auto* park = std::get_if<ParkAction>(&action.what);
-        if (park != nullptr && park->berth == berth) return true;
-      }
-    }
-  }
-  return false;
+bool loads_a_carrier(const Task& task) {
+  bool found = false;
+  for_each_action_of<TransferAction>(
+      task, [&](const TransferAction& transfer) { found |= !transfer.destination.place; });
+  return found;
 }
-
-/// Whether there can ever be a crew for the task.
-class CrewCheck {
- public:
-  CrewCheck(const BuildState& state, std::int32_t id)
-      : state_(state), id_(id), task_(state.line().tasks[static_cast<std::size_t>(id)]) {}
-
-  void run() {
-    check_workers_suffice();
-    for (const CrewSlot& slot : task_.crew) {
-      if (slot.carrier) check_carrier(slot);
-    }
-  }
-
- private:
-  [[nodiscard]] const SourceNode& node() const { return state_.names.node(Section::kTasks, id_); }
-  [[nodiscard]] SourceMark mark_of_role(const std::string& role) const {
-    const SourceNode* crew = node().find("crew");
-    for (const SourceEntry& entry : crew->entries) {
-      if (entry.key == role) return entry.mark;
-    }
-    return crew->mark;
-  }
-  void error(SourceMark mark, const std::string& message, std::string hint) {
-    state_.problems.error(
-        mark, fmt::format("{}: {}", state_.names.title(Section::kTasks, id_), message), std::move(hint));
-  }
-
-  void check_workers_suffice() {
-    std::map<std::int32_t, std::int32_t> wanted;
-    for (const CrewSlot& slot : task_.crew) {
-      if (slot.worker) ++wanted[slot.worker->value];
-    }
-    for (const auto& [kind, count] : wanted) {
-      const WorkerKind& worker = state_.line().worker_kinds[static_cast<std::size_t>(kind)];
-      if (!state_.is_sound(Section::kWorkers, kind) || count <= worker.count.max) continue;
-      error(mark_of_role(worker.name),
-            fmt::format("the crew needs {} of {}, but there are at most {}", count,
-                        in_quotes(worker.name), worker.count.max),
-            "make 'count' of the worker larger or the crew smaller");
-    }
-  }
-
-  void check_carrier(const CrewSlot& slot) {
-    const CarrierKind& kind = state_.line().carrier_kinds[slot.carrier->index()];
-    if (state_.is_sound(Section::kCarriers, slot.carrier->value) && kind.count.max < 1) {
-      error(mark_of_role(slot.role), fmt::format("the crew needs a {}, but there are none", in_quotes(slot.role)),
-            "make 'count' of the carrier larger");
-    }
-    if (slot.wanted == CarrierWanted::kBerth) check_berth(slot);
-  }
-
-  void check_berth(const CrewSlot& slot) {
-    const auto id = slot.berth.value;
-    const Place& place = state_.line().places[slot.berth.index()];
-    if (!state_.is_sound(Section::kPlaces, id)) return;
-    const SourceMark mark = mark_of_role(slot.role);
-    if (!place.berth) {
-      error(mark, fmt::format("place {} is no berth", in_quotes(place.name)),
-            fmt::format("give the place carrier: {}, or ask for empty or any", slot.role));
-    } else if (place.berth->carrier != *slot.carrier) {
-      const std::string& other = state_.line().carrier_kinds[place.berth->carrier.index()].name;
-      error(mark, fmt::format("berth {} is for {}, not for {}", in_quotes(place.name),
-                              in_quotes(other), in_quotes(slot.role)),
-            fmt::format("name a berth for {}", in_quotes(slot.role)));
-    } else if (!somebody_parks(slot.berth)) {
-      error(mark, fmt::format("no task ever parks a {} in berth {}", in_quotes(slot.role), in_quotes(place.name)),
-            fmt::format("add an action {{park: {}, berth: {}}} to a task", slot.role, place.name));
-    }
-  }
-
-  [[nodiscard]] bool somebody_parks(PlaceId berth) const {
-    const auto& tasks = state_.line().tasks;
-    for (std::size_t i = 0; i < tasks.size(); ++i) {
-      // A task with problems of its own may well be the one.
-      if (!state_.is_sound(Section::kTasks, static_cast<std::int32_t>(i))) return true;
-      if (parks_in(tasks[i], berth)) return true;
-    }
-    return false;
-  }
-
-  const BuildState& state_;
-  std::int32_t id_;
-  const Task& task_;
-};
 
 /// Follows the crew through the steps: where each is, who holds what, what can be in a carrier.
 class TaskWalk {
@@ -132,10 +43,10 @@ class TaskWalk {
 
  private:
   struct Member {
-    bool gone = false;                  ///< released, or parked in a berth
-    std::optional<StationId> station;   ///< workers: where the task sent it last
-    std::optional<std::size_t> holds;   ///< workers: slot of the carrier
-    bool is_held = false;               ///< carriers
+    bool gone = false;                 ///< released, or parked in a berth
+    std::optional<StationId> station;  ///< workers: where the task sent it last
+    std::optional<std::size_t> holds;  ///< workers: slot of the carrier
+    bool is_held = false;              ///< carriers
     /// Carriers: materials that can be in it; none: anything.
     std::optional<std::set<std::string>> contents;
   };
@@ -152,11 +63,14 @@ class TaskWalk {
   }
 
   void error(const std::string& message, std::string hint) {
-    state_.problems.error(
-        mark_, fmt::format("{}: {}", state_.names.title(Section::kTasks, id_), message), std::move(hint));
+    state_.problems.error(mark_,
+                          fmt::format("{}: {}", state_.names.title(Section::kTasks, id_), message),
+                          std::move(hint));
   }
 
-  [[nodiscard]] std::string role(std::size_t slot) const { return in_quotes(task_.crew[slot].role); }
+  [[nodiscard]] std::string role(std::size_t slot) const {
+    return in_quotes(task_.crew[slot].role);
+  }
   [[nodiscard]] const Place& place(PlaceId id) const { return state_.line().places[id.index()]; }
 
   /// What lies in the place, or nothing when that depends on what the berth's carrier holds.
@@ -168,9 +82,22 @@ class TaskWalk {
 
   [[nodiscard]] std::optional<std::set<std::string>> contents_at_start(const CrewSlot& slot) const {
     if (slot.wanted == CarrierWanted::kEmpty) return std::set<std::string>{};
-    if (slot.wanted == CarrierWanted::kAny) return std::nullopt;
+    if (slot.wanted == CarrierWanted::kAny || !is_parked_empty(slot.berth)) return std::nullopt;
     const auto parked = material(slot.berth);
     return parked ? std::optional(std::set<std::string>{*parked}) : std::nullopt;
+  }
+
+  /// Whether every carrier that comes into the berth is empty then, so that only operations fill
+  /// it.
+  [[nodiscard]] bool is_parked_empty(PlaceId berth) const {
+    const auto& tasks = state_.line().tasks;
+    return std::all_of(tasks.begin(), tasks.end(), [&](const Task& task) {
+      if (!parks_in(task, berth)) return true;
+      return !loads_a_carrier(task) &&
+             std::all_of(task.crew.begin(), task.crew.end(), [](const CrewSlot& member) {
+               return !member.carrier || member.wanted == CarrierWanted::kEmpty;
+             });
+    });
   }
 
   void note_loaded(const Action& action) {
@@ -221,7 +148,8 @@ class TaskWalk {
                         carrier.gone   ? "which has left the task"
                         : worker.holds ? "but holds a carrier already"
                                        : "which somebody holds already"),
-            carrier.gone ? "a carrier parked in a berth is for another task" : "park it first, or remove this");
+            carrier.gone ? "a carrier parked in a berth is for another task"
+                         : "park it first, or remove this");
     }
     worker.holds = fetch.carrier_slot;
     carrier.is_held = true;
@@ -250,7 +178,8 @@ class TaskWalk {
             fmt::format("give the place carrier: {}", task_.crew[park.carrier_slot].role));
     } else if (berth.berth->carrier != *task_.crew[park.carrier_slot].carrier) {
       const std::string& other = state_.line().carrier_kinds[berth.berth->carrier.index()].name;
-      error(fmt::format("berth {} is for {}, not for {}", name, in_quotes(other), role(park.carrier_slot)),
+      error(fmt::format("berth {} is for {}, not for {}", name, in_quotes(other),
+                        role(park.carrier_slot)),
             fmt::format("name a berth for {}", role(park.carrier_slot)));
     } else if (berth.at && station && *berth.at != *station) {
       const auto& stations = state_.line().stations;
@@ -289,7 +218,8 @@ class TaskWalk {
     if (operation.operated_by == task_.crew[slot].worker) return;
     const std::string& kind = task_.crew[slot].role;
     if (!operation.operated_by) {
-      error(fmt::format("operation {} starts by itself and cannot be operated", in_quotes(operation.name)),
+      error(fmt::format("operation {} starts by itself and cannot be operated",
+                        in_quotes(operation.name)),
             fmt::format("give the operation operated_by: {}, or remove the action", kind));
       return;
     }
@@ -317,11 +247,17 @@ class TaskWalk {
 }  // namespace
 
 void check_tasks(const BuildState& state) {
+  std::int32_t executions = 0;
+  for (const Task& task : state.line().tasks) executions += task.max_running;
+  if (executions > kMostExecutions) {
+    state.problems.error(mark_of(state.root, "tasks"),
+                         fmt::format("the tasks may run {} times at once, more than {}", executions,
+                                     kMostExecutions),
+                         "lower 'max_running'");
+  }
   for (std::size_t i = 0; i < state.line().tasks.size(); ++i) {
     const auto id = static_cast<std::int32_t>(i);
-    if (!state.is_sound(Section::kTasks, id)) continue;
-    CrewCheck(state, id).run();
-    TaskWalk(state, id).run();
+    if (state.is_sound(Section::kTasks, id)) TaskWalk(state, id).run();
   }
 }
 

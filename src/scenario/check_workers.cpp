@@ -1,7 +1,7 @@
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cstdint>
-
-#include <fmt/format.h>
 
 #include "build_state.hpp"
 #include "limits.hpp"
@@ -32,10 +32,10 @@ void check_list(const BuildState& state, const StartRule& rule) {
                          fmt::format("give the station {}: [x_m, y_m, yaw_rad]", kind));
   }
   if (rule.list.size() >= static_cast<std::size_t>(rule.count.max)) return;
-  state.problems.error(start.mark,
-                       fmt::format("{}: {} start stations for up to {}", title, rule.list.size(),
-                                   rule.count.max),
-                       "list one station for each, or write start: random_station");
+  state.problems.error(
+      start.mark,
+      fmt::format("{}: {} start stations for up to {}", title, rule.list.size(), rule.count.max),
+      "list one station for each, or write start: random_station");
 }
 
 void check_random(const BuildState& state, const StartRule& rule) {
@@ -51,7 +51,8 @@ void check_random(const BuildState& state, const StartRule& rule) {
       state.names.mark(rule.section, rule.id),
       fmt::format("{}: {} start slots at stations with a pose for {}, but there are up to {}",
                   state.names.title(rule.section, rule.id), slots, in_quotes(kind), rule.count.max),
-      fmt::format("give more stations a pose for {}, or write slots: {{{}: N}}", in_quotes(kind), kind));
+      fmt::format("give more stations a pose for {}, or write slots: {{{}: N}}", in_quotes(kind),
+                  kind));
 }
 
 void check_start(const BuildState& state, const StartRule& rule) {
@@ -63,15 +64,10 @@ void check_start(const BuildState& state, const StartRule& rule) {
   }
 }
 
-bool all_sound(const BuildState& state, Section section) {
-  const auto& sound = state.sound[static_cast<std::size_t>(section)];
-  return std::find(sound.begin(), sound.end(), false) == sound.end();
-}
-
 }  // namespace
 
 void check_workers(const BuildState& state) {
-  if (!all_sound(state, Section::kStations)) return;  // a pose may be missing because it was wrong
+  if (!state.all_sound(Section::kStations)) return;  // a pose may be missing because it was wrong
   const LineModel& line = state.line();
   for (std::size_t i = 0; i < line.worker_kinds.size(); ++i) {
     const auto id = static_cast<std::int32_t>(i);
@@ -96,8 +92,9 @@ void check_places(const BuildState& state) {
     if (initial <= most) continue;
     state.problems.error(
         mark_of(state.names.node(Section::kPlaces, id), "initial"),
-        fmt::format("{}: {} tokens at the start, but {} {}", state.names.title(Section::kPlaces, id),
-                    initial, place.capacity ? "its capacity is" : "a place holds at most", most),
+        fmt::format("{}: {} tokens at the start, but {} {}",
+                    state.names.title(Section::kPlaces, id), initial,
+                    place.capacity ? "its capacity is" : "a place holds at most", most),
         "make 'capacity' larger or 'initial' smaller");
   }
 }

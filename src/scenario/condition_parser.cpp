@@ -1,12 +1,12 @@
 #include "condition_parser.hpp"
 
+#include <fmt/format.h>
+
 #include <array>
 #include <charconv>
 #include <system_error>
 #include <utility>
 #include <vector>
-
-#include <fmt/format.h>
 
 #include "condition_tokens.hpp"
 #include "limits.hpp"
@@ -163,7 +163,8 @@ class Parser {
   }
 
   [[nodiscard]] std::string attribute_hint() const {
-    return peek().kind == Kind::kEnd ? "a condition compares numbers, for example: press.free == 1" : "";
+    return peek().kind == Kind::kEnd ? "a condition compares numbers, for example: press.free == 1"
+                                     : "";
   }
 
   void parse_sum(Comparison& comparison, std::int32_t sign) {
@@ -182,7 +183,8 @@ class Parser {
   }
 
   void parse_term(Comparison& comparison, std::int32_t sign) {
-    if (++terms_ > kMostTerms) throw Fault{{"too many terms in one comparison", "count something else"}};
+    if (++terms_ > kMostTerms)
+      throw Fault{{"too many terms in one comparison", "count something else"}};
     if (peek().kind == Kind::kNumber) {
       const std::int32_t number = take_number();
       if (!take_if("*")) {
@@ -226,7 +228,8 @@ class Parser {
   [[noreturn]] void fail(const std::string& expected, const std::string& hint = {}) const {
     const std::string before =
         next_ == 0 ? "at the start" : fmt::format("after {}", in_quotes(tokens_[next_ - 1].text));
-    const std::string found = peek().kind == Kind::kEnd ? "it ends" : in_quotes(peek().text) + " stands";
+    const std::string found =
+        peek().kind == Kind::kEnd ? "it ends" : in_quotes(peek().text) + " stands";
     throw Fault{{fmt::format("{} {} where {} must be", before, found, expected),
                  hint.empty() ? operator_hint() : hint}};
   }

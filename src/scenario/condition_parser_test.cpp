@@ -1,11 +1,11 @@
 #include "condition_parser.hpp"
 
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
 #include <array>
 #include <memory>
 #include <vector>
-
-#include <fmt/format.h>
-#include <gtest/gtest.h>
 
 #include "linewright/base/random.hpp"
 
@@ -231,7 +231,8 @@ TEST(ConditionParser, SaysWhereItStoppedAndWhatWasExpected) {
   EXPECT_EQ(fault_of("x0"), "after 'x0' it ends where a comparison such as '> 0' must be");
   EXPECT_EQ(fault_of("(x0 > 1"), "after '1' it ends where ')' must be");
   EXPECT_EQ(fault_of("x0 > 1)"), "after '1' ')' stands where 'and', 'or' or the end must be");
-  EXPECT_EQ(fault_of("0 < x0 < 3"), "after 'x0' '<' stands where 'and' before a second comparison must be");
+  EXPECT_EQ(fault_of("0 < x0 < 3"),
+            "after 'x0' '<' stands where 'and' before a second comparison must be");
   EXPECT_EQ(fault_of("x0 > 3rd"), "after '>' '3rd' stands where a number or a name must be");
   EXPECT_EQ(fault_of("x9 > 0"), "no x9");
   EXPECT_EQ(fault_of("x0 > 99999999999"), "'99999999999' is too large");

@@ -17,8 +17,9 @@ std::size_t symbol_length(std::string_view text) {
   // Longer symbols first: `<=` must not be read as `<`.
   static constexpr std::array<std::string_view, 12> kSymbols = {"==", "!=", "<=", ">=", "<", ">",
                                                                 "=",  "+",  "-",  "*",  "(", ")"};
-  const auto found = std::find_if(kSymbols.begin(), kSymbols.end(),
-                                  [&](std::string_view symbol) { return text.starts_with(symbol); });
+  const auto found = std::find_if(kSymbols.begin(), kSymbols.end(), [&](std::string_view symbol) {
+    return text.starts_with(symbol);
+  });
   return found == kSymbols.end() ? 0 : found->size();
 }
 

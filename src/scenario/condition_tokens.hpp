@@ -17,8 +17,8 @@ struct ConditionToken {
   }
 };
 
-/// Splits a condition into names (with dots), numbers, symbols and a final kEnd. Whatever is none of
-/// these is one kWrong token.
+/// Splits a condition into names (with dots), numbers, symbols and a final kEnd. Whatever is none
+/// of these is one kWrong token.
 [[nodiscard]] std::vector<ConditionToken> condition_tokens(std::string_view text);
 
 }  // namespace linewright::loading

@@ -2,11 +2,10 @@
 #include <cctype>
 #include <cmath>
 #include <cstdint>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <utility>
 #include <vector>
-
-#include <nlohmann/json.hpp>
 
 #include "linewright/scenario/load.hpp"
 #include "shape.hpp"
@@ -139,7 +138,8 @@ class SchemaWriter {
 
   Json alternatives(const char* keyword, const Shape& shape, Extent extent) {
     Json all = Json::array();
-    for (const ShapePtr& alternative : shape.alternatives) all.push_back(write(*alternative, extent));
+    for (const ShapePtr& alternative : shape.alternatives)
+      all.push_back(write(*alternative, extent));
     return {{keyword, all}};
   }
 
@@ -153,7 +153,8 @@ std::string scenario_json_schema() {
   Json schema;
   schema["$schema"] = "https://json-schema.org/draft/2020-12/schema";
   schema["title"] = "Linewright scenario (line/1)";
-  schema["description"] = "One production line and the run to make on it; see docs/formats/scenario.md";
+  schema["description"] =
+      "One production line and the run to make on it; see docs/formats/scenario.md";
   schema["if"] = {{"required", {"extends"}}};
   schema["then"] = {{"$ref", "#/$defs/extension"}};
   schema["else"] = {{"$ref", "#/$defs/whole"}};

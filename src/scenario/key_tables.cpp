@@ -1,9 +1,9 @@
+#include <fmt/format.h>
+
 #include <cmath>
 #include <initializer_list>
 #include <limits>
 #include <utility>
-
-#include <fmt/format.h>
 
 #include "limits.hpp"
 #include "shape.hpp"
@@ -48,7 +48,8 @@ ShapePtr choice(std::vector<std::string> choices) {
   return make(std::move(shape));
 }
 
-ShapePtr list(ShapePtr of, std::string expected, std::size_t min = 0, std::size_t max = kMostEntries) {
+ShapePtr list(ShapePtr of, std::string expected, std::size_t min = 0,
+              std::size_t max = kMostEntries) {
   Shape shape;
   shape.kind = Kind::kList;
   shape.expected = std::move(expected);
@@ -124,7 +125,8 @@ ShapePtr range(std::int32_t min) {
 }
 
 ShapePtr start(const std::string& of) {
-  return one_of({choice({"random_station"}), list(name("a station"), "a list of stations, one per " + of)});
+  return one_of(
+      {choice({"random_station"}), list(name("a station"), "a list of stations, one per " + of)});
 }
 
 ShapePtr rectangle() { return list(coordinate(), "[x0, x1, y0, y1]", 4, 4); }
@@ -136,40 +138,45 @@ ShapePtr worker() {
            "How many; [min, max] is drawn uniformly at reset. Default 1"),
        key("speed_mps", real(1e-3, 1e3), "Metres per second. Default 1.0"),
        key("radius_m", real(0, 100), "Radius of the circle around the worker, metres. Default 0.3"),
-       key("footprint_m", list(real(1e-3, 100), "[length, width]", 2, 2), "Length and width, metres"),
+       key("footprint_m", list(real(1e-3, 100), "[length, width]", 2, 2),
+           "Length and width, metres"),
        key("turning_radius_m", real(0, 1e3), "Metres; 0 turns on the spot. Default 0"),
        key("min_leg_ticks", ticks(), "A go or fetch lasts at least this long. Default 0"),
        key("start", start("worker"), "Drawn without replacement, or a list: worker i at entry i")});
 }
 
 ShapePtr carrier() {
-  return mapping("a mapping with the properties of a kind of carrier",
-                 {key("count",
-                      one_of({integer(0, kMostOfAKind), range(0), name("a kind of worker (as many as of these)")}),
-                      "How many, or the kind of worker there are as many of. Default 1"),
-                  key("capacity", integer(1, kLargestAmount), "Items, all of one material. Default 1"),
-                  required("moved_by", name("a kind of worker"), "The kind of worker that moves it"),
-                  key("start", start("carrier"), "As for workers, over the mover's stations")});
+  return mapping(
+      "a mapping with the properties of a kind of carrier",
+      {key("count",
+           one_of({integer(0, kMostOfAKind), range(0),
+                   name("a kind of worker (as many as of these)")}),
+           "How many, or the kind of worker there are as many of. Default 1"),
+       key("capacity", integer(1, kLargestAmount), "Items, all of one material. Default 1"),
+       required("moved_by", name("a kind of worker"), "The kind of worker that moves it"),
+       key("start", start("carrier"), "As for workers, over the mover's stations")});
 }
 
 ShapePtr station() {
   Shape shape = *names_to(list(coordinate(), "[x_m, y_m, yaw_rad]", 3, 3),
                           "a mapping from kinds of workers to poses");
-  shape.fields = {key("slots", names_to(integer(0, kMostOfAKind), "a mapping from kinds of workers to numbers"),
-                      "How many of a kind may start here. Default 1")};
+  shape.fields = {
+      key("slots", names_to(integer(0, kMostOfAKind), "a mapping from kinds of workers to numbers"),
+          "How many of a kind may start here. Default 1")};
   return make(std::move(shape));
 }
 
 ShapePtr place() {
-  return mapping("a mapping with the properties of a place",
-                 {key("of", name("a material"), "Kind of material. Default: the place's name"),
-                  key("capacity", integer(1, kLargestAmount), "Default: unlimited"),
-                  key("initial", one_of({integer(0, kLargestAmount), name("'order' or 'N*order'")}),
-                      "Tokens at the start: a number, `order` or `N*order`. Default 0"),
-                  key("at", name("a station"), "The station where it is"),
-                  key("carrier", name("a kind of carrier"), "Makes the place a berth for one such carrier"),
-                  key("occupied", choice({"on_arrival", "on_assignment"}),
-                      "From when a carrier counts as standing in the berth")});
+  return mapping(
+      "a mapping with the properties of a place",
+      {key("of", name("a material"), "Kind of material. Default: the place's name"),
+       key("capacity", integer(1, kLargestAmount), "Default: unlimited"),
+       key("initial", one_of({integer(0, kLargestAmount), name("'order' or 'N*order'")}),
+           "Tokens at the start: a number, `order` or `N*order`. Default 0"),
+       key("at", name("a station"), "The station where it is"),
+       key("carrier", name("a kind of carrier"), "Makes the place a berth for one such carrier"),
+       key("occupied", choice({"on_arrival", "on_assignment"}),
+           "From when a carrier counts as standing in the berth")});
 }
 
 ShapePtr machine() {
@@ -188,7 +195,8 @@ ShapePtr machine() {
                    {required("to", position, "Where the idle machine drives by itself"),
                     required("takes", names_to(ticks(), "a mapping {POSITION: ticks}"),
                              "Ticks to get there, by position"),
-                    key("holds", ticks(), "Ticks for which it stays where it came to rest. Default 0")}),
+                    key("holds", ticks(),
+                        "Ticks for which it stays where it came to rest. Default 0")}),
            "The machine drives home when idle")});
 }
 
@@ -208,7 +216,8 @@ ShapePtr token_flows() {
 ShapePtr operation() {
   return mapping(
       "a mapping with the properties of an operation",
-      {key("takes", ticks(), "Ticks from the start to the products, without machine travel. Default 0"),
+      {key("takes", ticks(),
+           "Ticks from the start to the products, without machine travel. Default 0"),
        key("uses", machine_uses(), "Machines held to the end of the recovery"),
        key("claims", machine_uses(), "Machines taken and kept until an operation frees them"),
        key("frees", machine_uses(), "Machines claimed earlier, let go at the end of the recovery"),
@@ -216,15 +225,17 @@ ShapePtr operation() {
        key("produces", token_flows(), "Places that tokens are put into"),
        key("when", condition(), "Conditions that must hold at the start"),
        key("recovery", ticks(), "Ticks for which machines are held after the products are out"),
-       key("operated_by", name("a kind of worker"), "Starts only by an operate action of such a worker")});
+       key("operated_by", name("a kind of worker"),
+           "Starts only by an operate action of such a worker")});
 }
 
 ShapePtr crew_slot() {
-  return one_of({integer(1, kMostCrew),
-                 mapping("a mapping {count: N, join: late}",
-                         {key("count", integer(1, kMostCrew), "How many. Default 1"),
-                          key("join", choice({"late", "at_start"}), "late: the task may start without")}),
-                 name("empty, any or a berth (for a carrier)")});
+  return one_of(
+      {integer(1, kMostCrew),
+       mapping("a mapping {count: N, join: late}",
+               {key("count", integer(1, kMostCrew), "How many. Default 1"),
+                key("join", choice({"late", "at_start"}), "late: the task may start without")}),
+       name("empty, any or a berth (for a carrier)")});
 }
 
 ShapePtr action_shape(Field what, std::vector<Field> more = {}) {
@@ -251,16 +262,18 @@ ShapePtr action() {
                     {key("takes", integer(1, kMaxTicks), "Ticks per item. Default 1"),
                      key("repeat", one_of({integer(1, kLargestAmount), choice({"until_blocked"})}),
                          "How many items. Default 1")}),
-       action_shape(key("operate", name("an operation"), "Start it and stay until its products are out")),
+       action_shape(
+           key("operate", name("an operation"), "Start it and stay until its products are out")),
        action_shape(key("release", choice({"true"}), "Leave the task"))});
 }
 
 ShapePtr reservations() {
-  const ShapePtr one = one_of(
-      {name("a place"),
-       mapping("a mapping {room: PLACE}", {required("room", name("a place"), "Room for one token")})});
+  const ShapePtr one =
+      one_of({name("a place"), mapping("a mapping {room: PLACE}",
+                                       {required("room", name("a place"), "Room for one token")})});
   return one_of({name("a place"),
-                 mapping("a mapping {room: PLACE}", {required("room", name("a place"), "Room for one token")}),
+                 mapping("a mapping {room: PLACE}",
+                         {required("room", name("a place"), "Room for one token")}),
                  list(one, "a list of places and {room: PLACE}")});
 }
 
@@ -269,15 +282,18 @@ ShapePtr task() {
       one_of({action(), list(action(), "a list of actions", 1, kMostActions)});
   return mapping(
       "a mapping with the properties of a task",
-      {key("number", integer(1, kLargestAmount), "1-based number for planners and logs. Default: place in the file"),
+      {key("number", integer(1, kLargestAmount),
+           "1-based number for planners and logs. Default: place in the file"),
        required("crew", names_to(crew_slot(), "a mapping such as {human: 1, cage: empty}"),
                 "How many of each kind of worker, and which carriers"),
        key("when", condition(), "Conditions for being selectable"),
-       key("reserves", reservations(), "A token, or room for one, kept from others from the decision on"),
+       key("reserves", reservations(),
+           "A token, or room for one, kept from others from the decision on"),
        key("max_running", integer(1, kMostOfAKind), "Executions at a time. Default 1"),
-       required("steps",
-                list(names_to(sequence, "a mapping {ROLE: actions}"), "a list of steps", 1, kMostSteps),
-                "One line is one rendezvous")});
+       required(
+           "steps",
+           list(names_to(sequence, "a mapping {ROLE: actions}"), "a list of steps", 1, kMostSteps),
+           "One line is one rendezvous")});
 }
 
 ShapePtr milestone() {
@@ -307,11 +323,12 @@ ShapePtr travel() {
 }
 
 ShapePtr order() {
-  return mapping("a mapping {product: NAME, quantity: N, finished_in: PLACE}",
-                 {required("product", name("a name"), "What is made"),
-                  required("quantity", integer(1, kLargestAmount), "How many"),
-                  required("finished_in", name("a place"), "The place whose tokens count as finished"),
-                  key("done_when", condition(), "Default: finished_in >= order")});
+  return mapping(
+      "a mapping {product: NAME, quantity: N, finished_in: PLACE}",
+      {required("product", name("a name"), "What is made"),
+       required("quantity", integer(1, kLargestAmount), "How many"),
+       required("finished_in", name("a place"), "The place whose tokens count as finished"),
+       key("done_when", condition(), "Default: finished_in >= order")});
 }
 
 ShapePtr horizon() {
@@ -323,24 +340,32 @@ Shape whole_scenario() {
   return *mapping(
       "a mapping",
       {required("schema", choice({"line/1"}), "Version of this format"),
-       key("extends", scalar(Kind::kText, "a file name"), "Another scenario file, relative to this one"),
+       key("extends", scalar(Kind::kText, "a file name"),
+           "Another scenario file, relative to this one"),
        required("name", name("a name"), "Of the line"),
        key("tick_s", real(kShortestTick, 1e6), "Seconds per tick. Default 1"),
        required("horizon", horizon(), "Ticks after which a run counts as failed"),
        required("order", order(), "What has to be made"),
-       key("allow_wait", scalar(Kind::kBoolean, "true or false"), "A planner may decide to wait. Default false"),
-       key("for", names_to(list(name("a word"), "a list of words", 1, 64), "a mapping {VARIABLE: [value, ...]}"),
+       key("allow_wait", scalar(Kind::kBoolean, "true or false"),
+           "A planner may decide to wait. Default false"),
+       key("for",
+           names_to(list(name("a word"), "a list of words", 1, 64),
+                    "a mapping {VARIABLE: [value, ...]}"),
            "Template variables and their values"),
-       key("workers", section("worker", worker(), kMostKinds), "Kinds of agents that move by themselves"),
-       key("carriers", section("carrier", carrier(), kMostKinds), "Things that workers move and that hold material"),
+       key("workers", section("worker", worker(), kMostKinds),
+           "Kinds of agents that move by themselves"),
+       key("carriers", section("carrier", carrier(), kMostKinds),
+           "Things that workers move and that hold material"),
        key("stations", section("station", station(), kMostStations), "Working areas"),
        key("places", section("place", place()), "Hold counted material"),
        key("machines", section("machine", machine()), "Exclusive resources"),
        key("operations", section("operation", operation()), "Transitions that fire by themselves"),
        key("tasks", section("task", task()), "What the planner may choose"),
-       key("milestones", section("milestone", milestone()), "Names under which the log notes events"),
+       key("milestones", section("milestone", milestone()),
+           "Names under which the log notes events"),
        key("map", map(), "The hall"),
-       key("travel", travel(), "Per kind of worker: straight, grid, or a table {FROM: {TO: ticks}}")});
+       key("travel", travel(),
+           "Per kind of worker: straight, grid, or a table {FROM: {TO: ticks}}")});
 }
 
 }  // namespace

@@ -9,20 +9,22 @@
 // and product within its type and every hostile file within bounded time and memory.
 namespace linewright::loading {
 
-inline constexpr std::size_t kMostEntries = 1000;       ///< per section, templates written out
-inline constexpr std::size_t kMostKinds = 16;           ///< of workers; of carriers
-inline constexpr std::size_t kMostStations = 400;       ///< travel tables grow with the square
-inline constexpr std::size_t kMostPositions = 64;       ///< of one machine
-inline constexpr std::size_t kMostSteps = 100;          ///< of one task
-inline constexpr std::size_t kMostActions = 100;        ///< of one crew member in one step
-inline constexpr std::int32_t kMostCrew = 8;            ///< slots of one task
-inline constexpr std::int32_t kMostOfAKind = 64;        ///< workers or carriers of one kind
+inline constexpr std::size_t kMostEntries = 1000;        ///< per section, templates written out
+inline constexpr std::size_t kMostKinds = 16;            ///< of workers; of carriers
+inline constexpr std::size_t kMostStations = 400;        ///< travel tables grow with the square
+inline constexpr std::size_t kMostPositions = 64;        ///< of one machine
+inline constexpr std::size_t kMostSteps = 100;           ///< of one task
+inline constexpr std::size_t kMostActions = 100;         ///< of one crew member in one step
+inline constexpr std::size_t kMostReserves = 32;         ///< of one task; states keep a bit each
+inline constexpr std::int32_t kMostExecutions = 30'000;  ///< max_running of all tasks together
+inline constexpr std::int32_t kMostCrew = 8;             ///< slots of one task
+inline constexpr std::int32_t kMostOfAKind = 64;         ///< workers or carriers of one kind
 inline constexpr std::int32_t kLargestAmount = 1'000'000;
-inline constexpr std::int32_t kMostPerOrder = 1000;     ///< N of `N*order`
-inline constexpr double kLargestCoordinate = 1e5;       ///< metres
-inline constexpr double kSmallestCell = 0.01;           ///< metres
-inline constexpr double kShortestTick = 1e-3;           ///< seconds
-inline constexpr std::int64_t kMostCells = 4'000'000;   ///< of the map's grid
-inline constexpr double kMostGridWork = 5e7;             ///< cell visits to find all ways of one kind
+inline constexpr std::int32_t kMostPerOrder = 1000;    ///< N of `N*order`
+inline constexpr double kLargestCoordinate = 1e5;      ///< metres
+inline constexpr double kSmallestCell = 0.01;          ///< metres
+inline constexpr double kShortestTick = 1e-3;          ///< seconds
+inline constexpr std::int64_t kMostCells = 4'000'000;  ///< of the map's grid
+inline constexpr double kMostGridWork = 5e7;           ///< cell visits to find all ways of one kind
 
 }  // namespace linewright::loading

@@ -33,6 +33,7 @@ void check(const BuildState& state) {
   loading::check_places(state);
   loading::check_machines(state);
   loading::check_operations(state);
+  loading::check_crews(state);
   loading::check_tasks(state);
   loading::check_order(state);
 }

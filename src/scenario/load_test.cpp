@@ -1,10 +1,10 @@
 #include "linewright/scenario/load.hpp"
 
+#include <gtest/gtest.h>
+
 #include <algorithm>
 #include <cmath>
 #include <string>
-
-#include <gtest/gtest.h>
 
 namespace linewright {
 namespace {
@@ -16,9 +16,12 @@ std::string small_line(const std::string& more = "", const std::string& order = 
   return "schema: line/1\n"
          "name: small\n"
          "horizon: 100\n"
-         "order: {product: p, quantity: " + order + ", finished_in: done}\n"
+         "order: {product: p, quantity: " +
+         order +
+         ", finished_in: done}\n"
          "places: {stock: {of: x, initial: order}, done: {of: p}}\n"
-         "operations: {make: {takes: 2, consumes: [stock], produces: [done]}}\n" + more;
+         "operations: {make: {takes: 2, consumes: [stock], produces: [done]}}\n" +
+         more;
 }
 
 std::string error_of(const std::string& text) {
@@ -68,7 +71,8 @@ TEST(LoadDuctLine, ResolvesMachinesThatMove) {
   const Machine gantry = named(line.machines, "inner_gantry");
   const auto position = [&](const char* name) {
     return static_cast<std::size_t>(
-        std::find(gantry.positions.begin(), gantry.positions.end(), name) - gantry.positions.begin());
+        std::find(gantry.positions.begin(), gantry.positions.end(), name) -
+        gantry.positions.begin());
   };
   EXPECT_EQ(gantry.travel[position("duct_outer")][position("at_cage")], 11);
   EXPECT_EQ(gantry.travel[position("cut_part")][position("cut_part")], 0);
@@ -150,7 +154,8 @@ TEST(LoadScenario, DefaultGoalIsTheOrderInItsPlace) {
 
 TEST(LoadScenario, OrderOfSectionsDoesNotMatter) {
   const std::string text =
-      "operations: {make: {takes: 2, consumes: [stock], produces: [done], when: [crane.free == 1]}}\n"
+      "operations: {make: {takes: 2, consumes: [stock], produces: [done], when: [crane.free == "
+      "1]}}\n"
       "machines: {crane: {}}\n"
       "places: {done: {of: p}, stock: {of: x, initial: 2*order}}\n"
       "order: {finished_in: done, quantity: 3, product: p}\n"
@@ -165,7 +170,8 @@ TEST(LoadScenario, TasksAreOrderedByNumberAndNamedSoInConditions) {
       "workers: {human: {}}\n"
       "stations: {here: {human: [0, 0, 0]}}\n"
       "tasks:\n"
-      "  late:  {number: 9, crew: {human: 1}, when: [early.done > 0], steps: [{human: {go: here}}]}\n"
+      "  late:  {number: 9, crew: {human: 1}, when: [early.done > 0], steps: [{human: {go: "
+      "here}}]}\n"
       "  early: {number: 3, crew: {human: 1}, steps: [{human: {go: here}}]}\n"
       "milestones: {m: {task_end: late}}\n");
   const LineModel line = load_scenario_text(text, "t.yaml").line;
@@ -199,33 +205,39 @@ TEST(LoadScenario, WaysOnAMapLeadAroundObstaclesAndAreDrawn) {
 }
 
 TEST(LoadScenario, HashIgnoresCommentsAndLayoutOnly) {
-  const auto hash = [](const std::string& text) { return load_scenario_text(text, "t").content_hash; };
+  const auto hash = [](const std::string& text) {
+    return load_scenario_text(text, "t").content_hash;
+  };
   EXPECT_EQ(hash(small_line()), hash("# a comment\n" + small_line("\n\n")));
   EXPECT_NE(hash(small_line()), hash(small_line("", "4")));
 }
 
 TEST(LoadScenario, ExtendsNeedsAFile) {
-  EXPECT_NE(error_of(small_line("extends: other.yaml\n")).find("'extends' needs a file"), std::string::npos);
+  EXPECT_NE(error_of(small_line("extends: other.yaml\n")).find("'extends' needs a file"),
+            std::string::npos);
 }
 
 TEST(LoadScenario, NamesThatConditionsCouldMisreadAreRefused) {
   EXPECT_NE(error_of(small_line("machines: {press.free: {}}\n")).find("'.free' as an attribute"),
             std::string::npos);
-  EXPECT_NE(error_of(small_line("machines: {order: {}}\n")).find("a meaning of its own"), std::string::npos);
+  EXPECT_NE(error_of(small_line("machines: {order: {}}\n")).find("a meaning of its own"),
+            std::string::npos);
   EXPECT_NE(error_of(small_line("machines: {9lives: {}}\n")).find("names start with a letter"),
             std::string::npos);
-  EXPECT_NE(error_of(small_line("machines: {stock: {}}\n")).find("the name of a place and of a machine"),
-            std::string::npos);
+  EXPECT_NE(
+      error_of(small_line("machines: {stock: {}}\n")).find("the name of a place and of a machine"),
+      std::string::npos);
 }
 
 TEST(LoadScenario, NumbersOutsideOfTheirRangeAreRefused) {
-  for (const char* number : {"-1", "1e9", ".nan", ".inf", "1.5", "010", "99999999999999999999", "''", "'1'",
-                             "[1]", "{}", "~"}) {
-    const std::string text = small_line("machines: {m: {homing: {to: x, takes: {}, holds: " +
-                                        std::string(number) + "}}}\n");
+  for (const char* number : {"-1", "1e9", ".nan", ".inf", "1.5", "010", "99999999999999999999",
+                             "''", "'1'", "[1]", "{}", "~"}) {
+    const std::string text = small_line(
+        "machines: {m: {homing: {to: x, takes: {}, holds: " + std::string(number) + "}}}\n");
     EXPECT_NE(error_of(text).find("'homing.holds' must be a whole number from 0 to 100000000"),
               std::string::npos)
-        << number << "\n" << error_of(text);
+        << number << "\n"
+        << error_of(text);
   }
   for (const char* number : {"nan", ".inf", "-1e999", "1e6", "0x10"}) {
     const std::string text = small_line("workers: {human: {}}\nstations: {s: {human: [0, " +

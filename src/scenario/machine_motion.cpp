@@ -19,7 +19,8 @@ bool follow(const MachineUse* use, const std::vector<bool>& starts, std::vector<
   bool changed = false;
   for (std::size_t i = 0; i < starts.size(); ++i) {
     if (!starts[i]) continue;
-    const auto end = static_cast<std::size_t>(use->to.value_or(use->from.value_or(static_cast<int>(i))));
+    const auto end =
+        static_cast<std::size_t>(use->to.value_or(use->from.value_or(static_cast<int>(i))));
     changed = changed || !ends[end];
     ends[end] = true;
   }

@@ -11,7 +11,8 @@ namespace linewright::loading {
 /// Where a machine can stand, found by following what the operations do with it.
 struct MachineMotion {
   std::vector<bool> idle;  ///< by position: while nobody has it (homing included)
-  std::vector<bool> held;  ///< by position: between the operation that claims and the one that frees it
+  std::vector<bool>
+      held;  ///< by position: between the operation that claims and the one that frees it
 };
 
 [[nodiscard]] MachineMotion machine_motion(const LineModel& line, MachineId machine);

@@ -1,11 +1,11 @@
 #include "names.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cctype>
 #include <numeric>
 #include <utility>
-
-#include <fmt/format.h>
 
 #include "values.hpp"
 #include "yaml_reader.hpp"
@@ -13,19 +13,19 @@
 namespace linewright::loading {
 namespace {
 
-constexpr std::array<const char*, kSections> kKeys = {"workers",  "carriers",   "stations", "places",
-                                                      "machines", "operations", "tasks",    "milestones"};
-constexpr std::array<const char*, kSections> kNouns = {"worker",  "carrier",   "station", "place",
-                                                       "machine", "operation", "task",    "milestone"};
+constexpr std::array<const char*, kSections> kKeys = {
+    "workers", "carriers", "stations", "places", "machines", "operations", "tasks", "milestones"};
+constexpr std::array<const char*, kSections> kNouns = {
+    "worker", "carrier", "station", "place", "machine", "operation", "task", "milestone"};
 
 /// Conditions name all of these, so no two entries in them may share a name.
 constexpr std::array kInConditions = {Section::kWorkers,  Section::kCarriers,   Section::kPlaces,
                                       Section::kMachines, Section::kOperations, Section::kTasks};
 
 /// Words that mean something else where a name may stand.
-constexpr std::array<std::string_view, 11> kReserved = {"order", "and",  "or",    "not",
-                                                        "true",  "false", "null",  "empty",
-                                                        "any",   "slots", "random_station"};
+constexpr std::array<std::string_view, 11> kReserved = {
+    "order", "and",   "or",  "not",   "true",          "false",
+    "null",  "empty", "any", "slots", "random_station"};
 constexpr std::array<std::string_view, 7> kAttributes = {"available", "room",    "occupied", "free",
                                                          "working",   "running", "done"};
 
@@ -61,7 +61,8 @@ bool is_attribute(std::string_view word) {
 
 std::optional<std::string> name_fault(std::string_view name) {
   if (name.size() > kMaxNameLength) return fmt::format("longer than {} characters", kMaxNameLength);
-  if (!is_name_shaped(name)) return "names start with a letter and consist of letters, digits, _ and .";
+  if (!is_name_shaped(name))
+    return "names start with a letter and consist of letters, digits, _ and .";
   if (is_banned_word(name)) return "YAML 1.1 reads it as a boolean";
   if (std::find(kReserved.begin(), kReserved.end(), name) != kReserved.end()) {
     return "the word has a meaning of its own";
@@ -92,8 +93,9 @@ void NameTable::collect(Section section, const SourceNode& root, Problems& probl
     // A banned word was reported when the key was read.
     const auto fault = is_banned_word(entry.key) ? std::nullopt : name_fault(entry.key);
     if (fault) {
-      problems.error(entry.mark, fmt::format("{} cannot be the name of {}: {}", in_quotes(entry.key),
-                                             with_article(section), *fault),
+      problems.error(entry.mark,
+                     fmt::format("{} cannot be the name of {}: {}", in_quotes(entry.key),
+                                 with_article(section), *fault),
                      "choose another name");
     }
     indices_[static_cast<std::size_t>(section)].entries.push_back(&entry);
@@ -114,10 +116,11 @@ void NameTable::order_tasks(Problems& problems) {
     tasks[i] = entry;
     task_numbers_.push_back(number);
     if (i > 0 && task_numbers_[i - 1] == number) {
-      problems.error(mark_of(entry->value, "number"),
-                     fmt::format("task {}: number {} is also that of task {}", in_quotes(entry->key),
-                                 number, in_quotes(numbered[i - 1].second->key)),
-                     "without 'number' a task has its place in the file; give all of them a number");
+      problems.error(
+          mark_of(entry->value, "number"),
+          fmt::format("task {}: number {} is also that of task {}", in_quotes(entry->key), number,
+                      in_quotes(numbered[i - 1].second->key)),
+          "without 'number' a task has its place in the file; give all of them a number");
     }
   }
 }
@@ -162,7 +165,8 @@ SourceMark NameTable::mark(Section section, std::int32_t id) const {
 }
 
 std::string NameTable::title(Section section, std::int32_t id) const {
-  return fmt::format("{} {}", section_noun(section), in_quotes(names(section)[static_cast<std::size_t>(id)]));
+  return fmt::format("{} {}", section_noun(section),
+                     in_quotes(names(section)[static_cast<std::size_t>(id)]));
 }
 
 std::int32_t NameTable::task_number(std::int32_t id) const {

@@ -2,10 +2,13 @@
 
 #include <set>
 
+#include "task_actions.hpp"
+
 namespace linewright::loading {
 namespace {
 
-/// Where a fetch can lead: where such carriers start. Where a mover leaves one it was sent to itself.
+/// Where a fetch can lead: where such carriers start. Where a mover leaves one it was sent to
+/// itself.
 void add_fetched(const LineModel& line, const Task& task, const FetchAction& fetch,
                  std::set<StationId>& stations) {
   const auto carrier = task.crew[fetch.carrier_slot].carrier;
@@ -17,17 +20,13 @@ void add_fetched(const LineModel& line, const Task& task, const FetchAction& fet
 
 void add_targets(const LineModel& line, const Task& task, WorkerKindId kind,
                  std::set<StationId>& stations) {
-  for (const Step& step : task.steps) {
-    for (const ActorSequence& sequence : step.sequences) {
-      if (task.crew[sequence.slot].worker != kind) continue;
-      for (const Action& action : sequence.actions) {
-        if (const auto* go = std::get_if<GoAction>(&action.what)) stations.insert(go->station);
-        if (const auto* fetch = std::get_if<FetchAction>(&action.what)) {
-          add_fetched(line, task, *fetch, stations);
-        }
-      }
+  for_each_action(task, [&](const Action& action, std::size_t slot) {
+    if (task.crew[slot].worker != kind) return;
+    if (const auto* go = std::get_if<GoAction>(&action.what)) stations.insert(go->station);
+    if (const auto* fetch = std::get_if<FetchAction>(&action.what)) {
+      add_fetched(line, task, *fetch, stations);
     }
-  }
+  });
 }
 
 }  // namespace

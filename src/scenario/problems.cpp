@@ -1,10 +1,10 @@
 #include "problems.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <tuple>
 #include <utility>
-
-#include <fmt/format.h>
 
 namespace linewright::loading {
 int Problems::add_file(std::string name) {
@@ -36,9 +36,8 @@ void Problems::throw_if_any() const {
     return std::tie(found.mark.file, found.mark.line, found.mark.column);
   };
   std::vector<Found> sorted = found_;
-  std::stable_sort(sorted.begin(), sorted.end(), [&](const Found& a, const Found& b) {
-    return position(a) < position(b);
-  });
+  std::stable_sort(sorted.begin(), sorted.end(),
+                   [&](const Found& a, const Found& b) { return position(a) < position(b); });
   std::vector<Diagnostic> diagnostics;
   for (const Found& found : sorted) diagnostics.push_back(diagnostic(found));
   if (count_ > found_.size()) {
@@ -56,7 +55,8 @@ std::string in_quotes(std::string_view text) {
   constexpr std::size_t kLongest = 60;
   std::size_t length = std::min(text.size(), kLongest);
   // Never cut inside a UTF-8 sequence: continuation bytes start with the bits 10.
-  while (length < text.size() && length > 0 && (static_cast<unsigned char>(text[length]) >> 6) == 2) {
+  while (length < text.size() && length > 0 &&
+         (static_cast<unsigned char>(text[length]) >> 6) == 2) {
     --length;
   }
   std::string result = "'";

@@ -30,8 +30,8 @@ class Problems {
 
   void error(SourceMark mark, std::string message, std::string hint = {});
 
-  /// name_hint() for a message. Comparing with every name takes time, so only the first messages get
-  /// one; `candidates` is a list of names or makes one.
+  /// name_hint() for a message. Comparing with every name takes time, so only the first messages
+  /// get one; `candidates` is a list of names or makes one.
   template <class Candidates>
   [[nodiscard]] std::string hint(std::string_view name, const Candidates& candidates) const {
     if (found_.size() >= kMostHints) return {};

@@ -23,8 +23,8 @@ struct Field {
 /// against and what the JSON Schema is made from.
 struct Shape {
   enum class Kind : std::uint8_t {
-    kText,       ///< any scalar
-    kName,       ///< a scalar that names something; whether it exists is checked when it is resolved
+    kText,  ///< any scalar
+    kName,  ///< a scalar that names something; whether it exists is checked when it is resolved
     kCondition,  ///< a scalar, parsed later
     kInteger,    ///< min..max
     kReal,       ///< min..max, finite

@@ -1,12 +1,12 @@
 #include "shape_check.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
-
-#include <fmt/format.h>
 
 #include "values.hpp"
 
@@ -18,7 +18,8 @@ using Kind = Shape::Kind;
 std::string described(const SourceNode& node) {
   switch (node.type) {
     case SourceNode::Type::kScalar:
-      return node.was_quoted ? fmt::format("the text {}", in_quotes(node.text)) : in_quotes(node.text);
+      return node.was_quoted ? fmt::format("the text {}", in_quotes(node.text))
+                             : in_quotes(node.text);
     case SourceNode::Type::kList:
       return "a list";
     case SourceNode::Type::kMapping:
@@ -43,7 +44,9 @@ struct Location {
     if (path.empty()) return title.empty() ? "the scenario" : title;
     return title.empty() ? fmt::format("'{}'", path) : fmt::format("{}: '{}'", title, path);
   }
-  [[nodiscard]] std::string prefix() const { return path.empty() && title.empty() ? "" : subject() + ": "; }
+  [[nodiscard]] std::string prefix() const {
+    return path.empty() && title.empty() ? "" : subject() + ": ";
+  }
 };
 
 bool fits_range(const SourceNode& node, const Shape& shape) {
@@ -67,8 +70,9 @@ bool is_number(const Shape& shape) {
 
 bool takes_number(const Shape& shape) {
   if (is_number(shape)) return true;
-  return shape.kind == Kind::kOneOf && std::any_of(shape.alternatives.begin(), shape.alternatives.end(),
-                                                   [](const ShapePtr& s) { return is_number(*s); });
+  return shape.kind == Kind::kOneOf &&
+         std::any_of(shape.alternatives.begin(), shape.alternatives.end(),
+                     [](const ShapePtr& s) { return is_number(*s); });
 }
 
 /// Whether `node` may be read as `shape`, by its type alone.
@@ -92,8 +96,9 @@ bool fits_type(const SourceNode& node, const Shape& shape) {
     case Kind::kCondition:
       return node.is_scalar();
     case Kind::kOneOf:
-      return std::any_of(shape.alternatives.begin(), shape.alternatives.end(),
-                         [&](const ShapePtr& alternative) { return fits_type(node, *alternative); });
+      return std::any_of(
+          shape.alternatives.begin(), shape.alternatives.end(),
+          [&](const ShapePtr& alternative) { return fits_type(node, *alternative); });
   }
   return false;
 }
@@ -142,7 +147,8 @@ class ShapeChecker {
     if (node.is_null() && fits_type(empty_mapping(), shape)) hint = "write {} for an empty one";
     problems_.error(
         node.mark,
-        fmt::format("{} must be {}, but is {}", where.subject(), shape.expected, described(node)), hint);
+        fmt::format("{} must be {}, but is {}", where.subject(), shape.expected, described(node)),
+        hint);
     node.break_off();
   }
 
@@ -197,9 +203,9 @@ class ShapeChecker {
       report_unknown(entry, shape, where);
       return false;
     }
-    const Location inside = shape.noun.empty()
-                                ? where.inside(entry.key)
-                                : Location{fmt::format("{} {}", shape.noun, in_quotes(entry.key)), ""};
+    const Location inside =
+        shape.noun.empty() ? where.inside(entry.key)
+                           : Location{fmt::format("{} {}", shape.noun, in_quotes(entry.key)), ""};
     check(entry.value, *shape.others, inside);
     return true;
   }
@@ -239,8 +245,9 @@ class ShapeChecker {
     }
     std::string hint;
     if (fitting == 0 && !node.entries.empty()) hint = nearest_variant(node, shape);
-    problems_.error(node.mark, fmt::format("{}exactly one of the keys {} is needed, but there {}",
-                                           where.prefix(), names, fitting == 0 ? "is none" : "are more"),
+    problems_.error(node.mark,
+                    fmt::format("{}exactly one of the keys {} is needed, but there {}",
+                                where.prefix(), names, fitting == 0 ? "is none" : "are more"),
                     hint);
     node.break_off();
   }
@@ -261,7 +268,8 @@ class ShapeChecker {
     for (const ShapePtr& alternative : shape.alternatives) {
       if (!fits_type(node, *alternative)) continue;
       const bool whole_message = is_number(*alternative) && !fits_range(node, *alternative);
-      return check_kind(node, whole_message ? shape_with(*alternative, shape) : *alternative, where);
+      return check_kind(node, whole_message ? shape_with(*alternative, shape) : *alternative,
+                        where);
     }
   }
 
@@ -277,12 +285,14 @@ class ShapeChecker {
     while (node.is_mapping() && node.bindings != nullptr) {
       const Binding* binding = binding_of(node);
       if (binding == nullptr) return;
-      const auto entry = std::find_if(node.entries.begin(), node.entries.end(),
-                                      [&](const SourceEntry& e) { return e.key == binding->value; });
+      const auto entry =
+          std::find_if(node.entries.begin(), node.entries.end(),
+                       [&](const SourceEntry& e) { return e.key == binding->value; });
       if (entry == node.entries.end()) {
-        problems_.error(node.mark, fmt::format("{} has no number for {}", where.subject(),
-                                               in_quotes(binding->value)),
-                        fmt::format("give one for every value of ${}", binding->variable));
+        problems_.error(
+            node.mark,
+            fmt::format("{} has no number for {}", where.subject(), in_quotes(binding->value)),
+            fmt::format("give one for every value of ${}", binding->variable));
         node.break_off();
         return;
       }
@@ -298,7 +308,8 @@ class ShapeChecker {
         return std::find(binding.values->begin(), binding.values->end(), entry.key) !=
                binding.values->end();
       };
-      if (!node.entries.empty() && std::all_of(node.entries.begin(), node.entries.end(), is_value)) {
+      if (!node.entries.empty() &&
+          std::all_of(node.entries.begin(), node.entries.end(), is_value)) {
         return &binding;
       }
     }

@@ -1,5 +1,7 @@
 #include "source_files.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
@@ -11,8 +13,6 @@
 #include <system_error>
 #include <utility>
 #include <vector>
-
-#include <fmt/format.h>
 
 #include "yaml_reader.hpp"
 
@@ -95,9 +95,10 @@ bool may_follow(const std::string& file, const Chain& chain, Problems& problems)
   const std::string identity = identity_of(file);
   const auto& known = chain.identities;
   if (std::find(known.begin(), known.end(), identity) != known.end()) {
-    problems.error(chain.named_at,
-                   fmt::format("'extends' leads in a circle: {} is extended already", in_quotes(file)),
-                   "extend a file that does not extend this one");
+    problems.error(
+        chain.named_at,
+        fmt::format("'extends' leads in a circle: {} is extended already", in_quotes(file)),
+        "extend a file that does not extend this one");
     return false;
   }
   if (known.size() >= kMostFiles) {

@@ -77,7 +77,8 @@ std::size_t weight_of(std::string_view text) { return text.size() / 32; }
 std::size_t weight_of(const SourceNode& node) {
   std::size_t weight = 1 + weight_of(node.text);
   for (const SourceNode& item : node.items) weight += weight_of(item);
-  for (const SourceEntry& entry : node.entries) weight += weight_of(entry.key) + weight_of(entry.value);
+  for (const SourceEntry& entry : node.entries)
+    weight += weight_of(entry.key) + weight_of(entry.value);
   return weight;
 }
 

@@ -33,13 +33,14 @@ struct SourceNode {
   };
 
   Type type = Type::kNull;
-  bool was_quoted = false;  ///< scalars: written in quotes, hence a text also when it looks like a number
-  bool sound = true;        ///< false: something in here was reported
+  bool was_quoted =
+      false;          ///< scalars: written in quotes, hence a text also when it looks like a number
+  bool sound = true;  ///< false: something in here was reported
   SourceMark mark;
-  std::string text;                            ///< scalars
-  std::vector<SourceNode> items;               ///< lists
-  std::vector<SourceEntry> entries;            ///< mappings, in file order
-  std::shared_ptr<const Bindings> bindings;    ///< on the value of an entry made from a template
+  std::string text;                          ///< scalars
+  std::vector<SourceNode> items;             ///< lists
+  std::vector<SourceEntry> entries;          ///< mappings, in file order
+  std::shared_ptr<const Bindings> bindings;  ///< on the value of an entry made from a template
 
   [[nodiscard]] bool is_null() const { return type == Type::kNull; }
   [[nodiscard]] bool is_scalar() const { return type == Type::kScalar; }

@@ -1,13 +1,13 @@
 #include "templates.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cctype>
 #include <map>
 #include <optional>
 #include <string>
 #include <utility>
-
-#include <fmt/format.h>
 
 #include "names.hpp"
 #include "yaml_reader.hpp"
@@ -36,7 +36,8 @@ std::optional<Variable> read_variable(const SourceEntry& entry, Problems& proble
                    "write: for: {w: [left, right]}");
     return std::nullopt;
   };
-  const bool starts_with_letter = std::isalpha(static_cast<unsigned char>(entry.key.c_str()[0])) != 0;
+  const bool starts_with_letter =
+      std::isalpha(static_cast<unsigned char>(entry.key.c_str()[0])) != 0;
   if (!is_word(entry.key) || !starts_with_letter) {
     return refuse(entry.mark, "a variable is a word of letters, digits and _");
   }
@@ -218,9 +219,9 @@ class Expander {
         kept.push_back(std::move(entry));
         continue;
       }
-      problems_.error(entry.mark, fmt::format("key {} exists twice", in_quotes(entry.key)),
-                      fmt::format("the other one is in line {}, one of them from a template",
-                                  first->second));
+      problems_.error(
+          entry.mark, fmt::format("key {} exists twice", in_quotes(entry.key)),
+          fmt::format("the other one is in line {}, one of them from a template", first->second));
       node.sound = false;
     }
     node.entries = std::move(kept);

@@ -1,8 +1,8 @@
 #include "templates.hpp"
 
-#include <string>
-
 #include <gtest/gtest.h>
+
+#include <string>
 
 #include "problems_of.hpp"
 #include "yaml_reader.hpp"
@@ -38,7 +38,8 @@ TEST(Templates, EntryExistsOncePerValueAtItsPlaceInTheOrder) {
 }
 
 TEST(Templates, VariableIsReplacedInEveryTextInside) {
-  const SourceNode root = expanded("for: {w: [in, out]}\np: {b.$w: {x: [q_$w, {r.$w.s: 'on $w'}]}}\n");
+  const SourceNode root =
+      expanded("for: {w: [in, out]}\np: {b.$w: {x: [q_$w, {r.$w.s: 'on $w'}]}}\n");
   const SourceNode& list = *root.find("p")->find("b.out")->find("x");
   EXPECT_EQ(list.items[0].text, "q_out");
   EXPECT_EQ(list.items[1].find("r.out.s")->text, "on out");
@@ -50,7 +51,8 @@ TEST(Templates, SeveralVariablesMultiplyAndTheFirstChangesSlowest) {
 }
 
 TEST(Templates, LongestVariableNameWins) {
-  const SourceNode root = expanded("for: {s: [a], side: [b]}\np: {x_$side: 0, y_$s: 0, z_$s_e: 0}\n");
+  const SourceNode root =
+      expanded("for: {s: [a], side: [b]}\np: {x_$side: 0, y_$s: 0, z_$s_e: 0}\n");
   EXPECT_EQ(keys(*root.find("p")), "x_b y_a z_a_e ");
 }
 
@@ -58,7 +60,8 @@ TEST(Templates, VariableOutsideOfItsEntriesIsAnError) {
   EXPECT_EQ(problems_in("for: {w: [a]}\np: {x: [q.$w]}\n"),
             "f:2:9: error: 'q.$w': $w has no value here\n"
             "  hint: a variable has a value inside of entries whose name contains $w");
-  EXPECT_NE(problems_in("p: {x: [q.$w]}\n").find("there is no such template variable"), std::string::npos);
+  EXPECT_NE(problems_in("p: {x: [q.$w]}\n").find("there is no such template variable"),
+            std::string::npos);
 }
 
 TEST(Templates, MadeEntryThatExistsAlreadyIsAnError) {
@@ -80,8 +83,9 @@ TEST(Templates, ExplosionIsRefused) {
   for (int i = 0; i < 60; ++i) values += (i > 0 ? ", v" : "v") + std::to_string(i);
   std::string text = "for: {";
   for (char c = 'a'; c < 'h'; ++c) text += std::string(1, c) + ": [" + values + "], ";
-  EXPECT_NE(problems_in(text + "h: [x]}\np: {$a$b$c$d$e$f$g: 1}\n").find("make more than 200000 values"),
-            std::string::npos);
+  EXPECT_NE(
+      problems_in(text + "h: [x]}\np: {$a$b$c$d$e$f$g: 1}\n").find("make more than 200000 values"),
+      std::string::npos);
 }
 
 }  // namespace

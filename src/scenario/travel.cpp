@@ -1,12 +1,13 @@
+#include "travel.hpp"
+
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
-#include <fmt/format.h>
-
 #include "build_state.hpp"
 #include "needed_ways.hpp"
-#include "travel.hpp"
 #include "values.hpp"
 
 namespace linewright::loading {
@@ -69,7 +70,8 @@ class TableReader {
   void set_leg(std::size_t from, std::size_t to, const SourceEntry& cell) {
     if (cell.value.is_broken()) return;
     if (from == to) {
-      state_.problems.error(cell.mark, fmt::format("{}: a way from {} to itself", title_, in_quotes(cell.key)),
+      state_.problems.error(cell.mark,
+                            fmt::format("{}: a way from {} to itself", title_, in_quotes(cell.key)),
                             "remove it; staying takes no time (see min_leg_ticks)");
       return;
     }
@@ -77,8 +79,7 @@ class TableReader {
   }
 
   Leg leg(std::size_t from, std::size_t to, const SourceEntry& cell) {
-    const double straight =
-        distance_m(point_of(state_, from, kind_), point_of(state_, to, kind_));
+    const double straight = distance_m(point_of(state_, from, kind_), point_of(state_, to, kind_));
     if (cell.value.is_scalar()) {
       return {static_cast<Tick>(parse_integer(cell.value.text).value_or(0)), straight};
     }
@@ -89,7 +90,8 @@ class TableReader {
                                         in_quotes(cell.value.items[0].text)),
                             "write [ticks, metres]");
     }
-    return {static_cast<Tick>(ticks.value_or(0)), parse_real(cell.value.items[1].text).value_or(straight)};
+    return {static_cast<Tick>(ticks.value_or(0)),
+            parse_real(cell.value.items[1].text).value_or(straight)};
   }
 
   BuildState& state_;
@@ -108,10 +110,10 @@ void fill_kind(BuildState& state, std::size_t kind, const SourceNode* travel) {
   const SourceNode* given =
       travel != nullptr ? travel->find(state.line().worker_kinds[kind].name) : nullptr;
   const SourceMark mark =
-      given != nullptr ? given->mark : state.names.mark(Section::kWorkers, static_cast<std::int32_t>(kind));
+      given != nullptr ? given->mark
+                       : state.names.mark(Section::kWorkers, static_cast<std::int32_t>(kind));
   if (given != nullptr && given->is_mapping()) return TableReader(state, kind, *given).read();
-  const bool on_grid =
-      given != nullptr ? given->text == "grid" : is_written(state.root, "map");
+  const bool on_grid = given != nullptr ? given->text == "grid" : is_written(state.root, "map");
   if (!on_grid) return fill_straight(state, kind, mark);
   if (state.scenario.map) return fill_from_grid(state, kind, mark);
   if (is_written(state.root, "map")) return;  // it was reported as wrong
@@ -123,7 +125,7 @@ void fill_kind(BuildState& state, std::size_t kind, const SourceNode* travel) {
 
 /// The stations of `to` that cannot be reached from `from`, as a list for a message; maybe empty.
 std::string missing_from(const BuildState& state, std::size_t kind, StationId from,
-                                      const std::vector<StationId>& to) {
+                         const std::vector<StationId>& to) {
   constexpr std::size_t kMostNamed = 8;
   std::string list;
   std::size_t missing = 0;
@@ -145,7 +147,9 @@ void check_ways(const BuildState& state, std::size_t kind, const SourceNode* tra
     if (missing.empty()) continue;
     const std::string& start = state.line().stations[from.index()].name;
     const SourceNode* row = measured ? given->find(start) : nullptr;
-    SourceMark mark = given != nullptr ? given->mark : state.names.mark(Section::kWorkers, static_cast<std::int32_t>(kind));
+    SourceMark mark = given != nullptr
+                          ? given->mark
+                          : state.names.mark(Section::kWorkers, static_cast<std::int32_t>(kind));
     if (row != nullptr) mark = row->mark;
     state.problems.error(
         mark,
@@ -170,9 +174,11 @@ std::optional<Tick> ticks_for(BuildState& state, std::size_t kind, double metres
   constexpr double kSlack = 1e-9;
   const double ticks = std::ceil(metres / (worker.speed_mps * state.line().tick_s) - kSlack);
   if (ticks <= static_cast<double>(kMaxTicks)) return static_cast<Tick>(std::max(0.0, ticks));
-  state.problems.error(mark, fmt::format("worker {} is too slow: a way of {:.1f} m takes more than {} ticks",
-                                         in_quotes(worker.name), metres, kMaxTicks),
-                       "check speed_mps and tick_s");
+  state.problems.error(
+      mark,
+      fmt::format("worker {} is too slow: a way of {:.1f} m takes more than {} ticks",
+                  in_quotes(worker.name), metres, kMaxTicks),
+      "check speed_mps and tick_s");
   return std::nullopt;
 }
 

@@ -1,9 +1,9 @@
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cstdint>
 #include <utility>
 #include <vector>
-
-#include <fmt/format.h>
 
 #include "limits.hpp"
 #include "linewright/map/occupancy_grid.hpp"
@@ -18,7 +18,8 @@ Rectangle rectangle_of(const Obstacle& o) { return {o.x0_m, o.x1_m, o.y0_m, o.y1
 Rectangle bounds_of(const HallMap& map) { return {map.x0_m, map.x1_m, map.y0_m, map.y1_m}; }
 
 double cells_in(const Rectangle& r, double margin_m, double cell_m) {
-  return ((r.x1_m - r.x0_m + 2 * margin_m) / cell_m + 2) * ((r.y1_m - r.y0_m + 2 * margin_m) / cell_m + 2);
+  return ((r.x1_m - r.x0_m + 2 * margin_m) / cell_m + 2) *
+         ((r.y1_m - r.y0_m + 2 * margin_m) / cell_m + 2);
 }
 
 /// Cell visits that building the grid and searching from every point will take at most.
@@ -27,20 +28,23 @@ double work_of(const HallMap& map, double radius_m, std::size_t points) {
   double work = all * static_cast<double>(points);
   for (const Obstacle& obstacle : map.obstacles) {
     // Obstacles are cheaper per cell than searching.
-    work += 0.1 * std::min(all, cells_in(rectangle_of(obstacle), std::max(radius_m, map.cell_m), map.cell_m));
+    work += 0.1 * std::min(all, cells_in(rectangle_of(obstacle), std::max(radius_m, map.cell_m),
+                                         map.cell_m));
   }
   return work;
 }
 
 OccupancyGrid grid_of(const HallMap& map, double radius_m) {
   OccupancyGrid grid(bounds_of(map), map.cell_m);
-  for (const Obstacle& obstacle : map.obstacles) grid.add_obstacle(rectangle_of(obstacle), radius_m);
+  for (const Obstacle& obstacle : map.obstacles)
+    grid.add_obstacle(rectangle_of(obstacle), radius_m);
   return grid;
 }
 
 /// "obstacle 'table'", the one nearest to the point, or the edge of the map.
 std::string culprit(const HallMap& map, Point2 point) {
-  if (distance_to_m(point, bounds_of(map)) > 0.0 || map.obstacles.empty()) return "the edge of the map";
+  if (distance_to_m(point, bounds_of(map)) > 0.0 || map.obstacles.empty())
+    return "the edge of the map";
   const auto nearest = std::min_element(
       map.obstacles.begin(), map.obstacles.end(), [&](const Obstacle& a, const Obstacle& b) {
         return distance_to_m(point, rectangle_of(a)) < distance_to_m(point, rectangle_of(b));

@@ -8,7 +8,8 @@ bool is_plain_ascii(unsigned char byte) {
   return byte >= 0x20 && byte < 0x7f;
 }
 
-/// Length of the well-formed multi-byte sequence at the start of `text`, or 0 (RFC 3629, table 3-7).
+/// Length of the well-formed multi-byte sequence at the start of `text`, or 0 (RFC 3629, table
+/// 3-7).
 std::size_t sequence_length(std::string_view text) {
   const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
   const unsigned char lead = byte(0);

@@ -1,5 +1,10 @@
 #include "yaml_reader.hpp"
 
+#include <fmt/format.h>
+#include <yaml-cpp/eventhandler.h>
+#include <yaml-cpp/exceptions.h>
+#include <yaml-cpp/parser.h>
+
 #include <algorithm>
 #include <array>
 #include <cctype>
@@ -9,11 +14,6 @@
 #include <streambuf>
 #include <string>
 #include <utility>
-
-#include <fmt/format.h>
-#include <yaml-cpp/eventhandler.h>
-#include <yaml-cpp/exceptions.h>
-#include <yaml-cpp/parser.h>
 
 #include "utf8.hpp"
 
@@ -41,8 +41,9 @@ void report_duplicate_keys(SourceNode& mapping, Problems& problems) {
     const auto [first, is_new] = seen.try_emplace(entry.key, entry.mark);
     if (is_new) continue;
     twice[i] = true;
-    problems.error(entry.mark, fmt::format("key {} is written twice", in_quotes(entry.key)),
-                   fmt::format("the first one is in line {}; keep one of them", first->second.line));
+    problems.error(
+        entry.mark, fmt::format("key {} is written twice", in_quotes(entry.key)),
+        fmt::format("the first one is in line {}; keep one of them", first->second.line));
   }
   if (std::find(twice.begin(), twice.end(), true) == twice.end()) return;
   std::vector<SourceEntry> kept;
@@ -122,7 +123,8 @@ class TreeBuilder : public YAML::EventHandler {
   void count(std::size_t more, SourceMark mark) {
     weight_ += more;
     if (weight_ <= kMaxWeight) return;
-    throw Refused{mark, fmt::format("the file has more than {} values, aliases written out", kMaxWeight),
+    throw Refused{mark,
+                  fmt::format("the file has more than {} values, aliases written out", kMaxWeight),
                   "make the line smaller"};
   }
 
@@ -208,7 +210,8 @@ class ViewBuffer : public std::streambuf {
 /// yaml-cpp takes byte 4 for the end of the input and guesses other encodings; only text gets in.
 void refuse_other_than_text(std::string_view text, int file) {
   if (text.size() > kMaxFileBytes) {
-    throw Refused{{file, 0, 0}, fmt::format("the file is larger than {} bytes", kMaxFileBytes),
+    throw Refused{{file, 0, 0},
+                  fmt::format("the file is larger than {} bytes", kMaxFileBytes),
                   "is this a scenario?"};
   }
   const std::size_t bad = first_not_text(text);
@@ -216,9 +219,10 @@ void refuse_other_than_text(std::string_view text, int file) {
   const std::string_view before = text.substr(0, bad);
   const auto line = 1 + std::count(before.begin(), before.end(), '\n');
   const std::size_t line_start = before.rfind('\n') + 1;  // npos + 1 = 0
-  throw Refused{{file, static_cast<int>(line), static_cast<int>(bad - line_start) + 1},
-                fmt::format("byte 0x{:02x} is not allowed here", static_cast<unsigned char>(text[bad])),
-                "save the file as UTF-8 text without control characters"};
+  throw Refused{
+      {file, static_cast<int>(line), static_cast<int>(bad - line_start) + 1},
+      fmt::format("byte 0x{:02x} is not allowed here", static_cast<unsigned char>(text[bad])),
+      "save the file as UTF-8 text without control characters"};
 }
 
 SourceNode parse(std::string_view text, int file, Problems& problems) {

@@ -16,7 +16,8 @@ inline constexpr std::size_t kMaxDepth = 32;
 /// nothing could be read. Never throws on bad input.
 [[nodiscard]] SourceNode read_yaml(std::string_view text, int file, Problems& problems);
 
-/// Whether YAML 1.1 reads the word as a boolean although a person may mean a name: on, off, yes, ...
+/// Whether YAML 1.1 reads the word as a boolean although a person may mean a name: on, off, yes,
+/// ...
 [[nodiscard]] bool is_banned_word(std::string_view word);
 
 }  // namespace linewright::loading

@@ -1,8 +1,8 @@
 #include "yaml_reader.hpp"
 
-#include <string>
-
 #include <gtest/gtest.h>
+
+#include <string>
 
 #include "problems_of.hpp"
 
@@ -17,9 +17,8 @@ SourceNode read(const std::string& text) {
 }
 
 std::string problems_in(const std::string& text) {
-  return problems_of([&](Problems& problems) {
-    (void)read_yaml(text, problems.add_file("f"), problems);
-  });
+  return problems_of(
+      [&](Problems& problems) { (void)read_yaml(text, problems.add_file("f"), problems); });
 }
 
 TEST(YamlReader, EveryValueKnowsLineAndColumn) {
@@ -39,7 +38,8 @@ TEST(YamlReader, AliasStandsForACopy) {
 
 TEST(YamlReader, DuplicateKeysAreReportedAndTheFirstIsKept) {
   EXPECT_EQ(problems_in("a: 1\nb: 2\na: 3\n"),
-            "f:3:1: error: key 'a' is written twice\n  hint: the first one is in line 1; keep one of them");
+            "f:3:1: error: key 'a' is written twice\n  hint: the first one is in line 1; keep one "
+            "of them");
 }
 
 TEST(YamlReader, AliasBombIsRefused) {
@@ -59,7 +59,8 @@ TEST(YamlReader, AliasOfItselfIsRefused) {
 
 TEST(YamlReader, DeepNestingIsRefused) {
   std::string mappings = "a: 1";
-  for (int i = 0; i < 1000; ++i) mappings = "{a: " + mappings.substr(mappings[0] == '{' ? 0 : 3) + "}";
+  for (int i = 0; i < 1000; ++i)
+    mappings = "{a: " + mappings.substr(mappings[0] == '{' ? 0 : 3) + "}";
   EXPECT_NE(problems_in(mappings).find("levels of nesting"), std::string::npos);
   const std::string lists = std::string(10'000, '[') + std::string(10'000, ']');
   EXPECT_NE(problems_in("a: " + lists).find("levels of nesting"), std::string::npos);
@@ -67,7 +68,8 @@ TEST(YamlReader, DeepNestingIsRefused) {
 }
 
 TEST(YamlReader, WhatIsNotTextIsRefusedWithItsPlace) {
-  EXPECT_NE(problems_in(std::string("a: 1\nb: \0x", 10)).find("f:2:4: error: byte 0x00"), std::string::npos);
+  EXPECT_NE(problems_in(std::string("a: 1\nb: \0x", 10)).find("f:2:4: error: byte 0x00"),
+            std::string::npos);
   EXPECT_NE(problems_in("a: \x04").find("f:1:4: error: byte 0x04"), std::string::npos);
   EXPECT_NE(problems_in("a: \xff\xfe").find("byte 0xff"), std::string::npos);
   EXPECT_NE(problems_in("\xff\xfe" + std::string("a\0", 2)).find("byte 0xff"), std::string::npos);

@@ -2,6 +2,8 @@
 // tells; NAME.expected holds exactly what the user reads. Run with LINEWRIGHT_UPDATE_EXPECTED=1 in
 // the environment to write the expected files anew, then look at what changed.
 
+#include <gtest/gtest.h>
+
 #include <algorithm>
 #include <cstdlib>
 #include <filesystem>
@@ -9,8 +11,6 @@
 #include <iterator>
 #include <string>
 #include <vector>
-
-#include <gtest/gtest.h>
 
 #include "linewright/base/diagnostic.hpp"
 #include "linewright/scenario/load.hpp"
@@ -20,7 +20,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const fs::path kFolder = "tests/diagnostics";  // relative to the repository root, as in the messages
+const fs::path kFolder =
+    "tests/diagnostics";  // relative to the repository root, as in the messages
 
 std::string text_of(const fs::path& file) {
   std::ifstream stream(file, std::ios::binary);

@@ -33,6 +33,10 @@ struct RecordedRun {
 /// fit.
 [[nodiscard]] RecordedRun load_recorded_run(const std::string& file, const LineModel& line);
 
+/// The same from text; `file` is only used in diagnostics.
+[[nodiscard]] RecordedRun read_recorded_run(const std::string& text, const std::string& file,
+                                            const LineModel& line);
+
 /// A recorded milestone beside ours of the same name, label and rank.
 struct MilestoneComparison {
   RecordedMilestone recorded;

@@ -30,8 +30,9 @@ struct Cell {
 /// stand there. Everything outside of the bounds is occupied.
 class OccupancyGrid {
  public:
-  /// All cells free. Cells cover the bounds from their lower left corner on; the last column and row
-  /// may stick out. `cell_m` > 0. The memory is one byte per cell: keep the number of cells in bounds.
+  /// All cells free. Cells cover the bounds from their lower left corner on; the last column and
+  /// row may stick out. `cell_m` > 0. The memory is one byte per cell: keep the number of cells in
+  /// bounds.
   OccupancyGrid(const Rectangle& bounds, double cell_m);
 
   /// Occupies the cells that the obstacle covers a part of, and those whose centre is closer than
@@ -45,7 +46,9 @@ class OccupancyGrid {
 
   [[nodiscard]] bool contains(Cell cell) const;
   /// True outside of the grid, too.
-  [[nodiscard]] bool occupied(Cell cell) const { return !contains(cell) || occupied_[index(cell)] != 0; }
+  [[nodiscard]] bool occupied(Cell cell) const {
+    return !contains(cell) || occupied_[index(cell)] != 0;
+  }
 
   /// The cell around a point, which may lie outside of the grid. The coordinates must be finite.
   [[nodiscard]] Cell cell_at(Point2 point) const;

@@ -25,14 +25,15 @@ struct GridRoute {
 };
 
 struct GridRouteOptions {
-  /// A point in an occupied cell is reached through the nearest free cell whose centre is within this
-  /// many metres (the last bit of the way then leads through the obstacle's margin).
+  /// A point in an occupied cell is reached through the nearest free cell whose centre is within
+  /// this many metres (the last bit of the way then leads through the obstacle's margin).
   double snap_m = 1.5;
 };
 
-/// The free cell that stands for a point: its own, or the nearest one within `snap_m` of it (equally
-/// near: the first one row by row). None when there is none.
-[[nodiscard]] std::optional<Cell> free_cell_near(const OccupancyGrid& grid, Point2 point, double snap_m);
+/// The free cell that stands for a point: its own, or the nearest one within `snap_m` of it
+/// (equally near: the first one row by row). None when there is none.
+[[nodiscard]] std::optional<Cell> free_cell_near(const OccupancyGrid& grid, Point2 point,
+                                                 double snap_m);
 
 /// The ways between all pairs of points, as `routes[from][to]`. The way back is the way there
 /// reversed, so lengths are symmetric.

@@ -1,0 +1,21 @@
+// Any text is either an event log, whose chart can be drawn, or a ScenarioError.
+
+#include <cstddef>
+#include <cstdint>
+#include <sstream>
+#include <string>
+
+#include "linewright/base/diagnostic.hpp"
+#include "linewright/evaluation/gantt.hpp"
+#include "linewright/evaluation/log_document.hpp"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  std::istringstream stream(std::string(reinterpret_cast<const char*>(data), size));
+  try {
+    const auto chart = linewright::make_gantt(linewright::read_event_log(stream, "fuzz.jsonl"));
+    static_cast<void>(linewright::gantt_svg(chart));
+    static_cast<void>(linewright::gantt_html(chart));
+  } catch (const linewright::ScenarioError&) {
+  }
+  return 0;
+}
