@@ -2,14 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace linewright {
 namespace {
 
 /// Cell counts and coordinates are int32; anything beyond is outside of every grid anyway.
 std::int32_t to_index(double cells) {
-  constexpr double kLimit = std::numeric_limits<std::int32_t>::max() / 2;
+  constexpr double kLimit = 1e9;
   return static_cast<std::int32_t>(std::clamp(std::floor(cells), -kLimit, kLimit));
 }
 

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "linewright/planning/episode.hpp"
+
 namespace linewright {
 namespace {
 
@@ -9,8 +11,7 @@ namespace {
 void advance_joining(const Simulator& simulator, SimulationState& state, Tick tick,
                      Allocator& fallback, EventLog* log) {
   while (simulator.advance_to(state, tick, log) == RunStatus::kJoin) {
-    const auto pending = simulator.pending_join(state);
-    simulator.join(state, *pending, fallback.join(state, *pending), log);
+    bind_joiner(simulator, state, fallback, log);
   }
 }
 

@@ -122,8 +122,10 @@ std::vector<std::vector<GridRoute>> grid_routes(const OccupancyGrid& grid,
                                                 const std::vector<Point2>& points,
                                                 const GridRouteOptions& options) {
   std::vector<End> ends;
-  for (const Point2 point : points)
+  ends.reserve(points.size());
+  for (const Point2 point : points) {
     ends.push_back({point, free_cell_near(grid, point, options.snap_m)});
+  }
   std::vector<std::vector<GridRoute>> routes(points.size(), std::vector<GridRoute>(points.size()));
   GridSearch search(grid);
   for (std::size_t from = 0; from < ends.size(); ++from) {

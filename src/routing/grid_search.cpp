@@ -16,11 +16,7 @@ constexpr std::size_t kStraight = 4;  // steps before this one
 }  // namespace
 
 GridSearch::GridSearch(const OccupancyGrid& grid)
-    : grid_(grid),
-      steps_(grid.size()),
-      offset_{},
-      cost_(grid.size(), -1.0),
-      parent_(grid.size(), 0) {
+    : grid_(grid), steps_(grid.size()), cost_(grid.size(), -1.0), parent_(grid.size(), 0) {
   for (std::size_t i = 0; i < kSteps.size(); ++i) {
     offset_[i] = std::int64_t{kSteps[i].row} * grid.columns() + kSteps[i].column;
   }

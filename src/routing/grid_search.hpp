@@ -39,11 +39,11 @@ class GridSearch {
   [[nodiscard]] bool all_settled(const std::vector<Cell>& goals) const;
 
   const OccupancyGrid& grid_;
-  std::vector<std::uint8_t> steps_;     ///< by cell index: bit i for step i
-  std::array<std::int64_t, 8> offset_;  ///< by step: what it adds to the index
-  std::vector<double> cost_;            ///< by cell index; -1: not reached
-  std::vector<std::uint32_t> parent_;   ///< by cell index
-  std::vector<std::uint32_t> touched_;  ///< what the last run has to clear
+  std::vector<std::uint8_t> steps_;       ///< by cell index: bit i for step i
+  std::array<std::int64_t, 8> offset_{};  ///< by step: what it adds to the index
+  std::vector<double> cost_;              ///< by cell index; -1: not reached
+  std::vector<std::uint32_t> parent_;     ///< by cell index
+  std::vector<std::uint32_t> touched_;    ///< what the last run has to clear
   /// By whole part of the cost modulo 4: a step adds less than 2, so at most three are in use.
   std::array<std::vector<Open>, 4> open_;
   double settled_below_ = 0.0;

@@ -77,6 +77,7 @@ LookupResult look_up(const BuildState& state, std::string_view text) {
     name = text.substr(0, dot);
     word = text.substr(dot + 1);
   }
+  const std::string_view whole = name;
   auto found = names.find_in_conditions(name);
   if (!found && dot != std::string_view::npos && word.empty()) {
     // `press.idle`: nothing of that name, but of the name before the dot.
@@ -85,8 +86,8 @@ LookupResult look_up(const BuildState& state, std::string_view text) {
     found = names.find_in_conditions(name);
   }
   if (!found) {
-    return ConditionFault{fmt::format("there is nothing called {}", in_quotes(text)),
-                          state.problems.hint(text, [&] { return names_in_conditions(names); })};
+    return ConditionFault{fmt::format("there is nothing called {}", in_quotes(whole)),
+                          state.problems.hint(whole, [&] { return names_in_conditions(names); })};
   }
   for (const Attribute& attribute : kVariables) {
     if (attribute.section != found->section || attribute.word != word) continue;

@@ -175,7 +175,7 @@ class TaskBuilder {
     Actions actions;
     const auto add = [&](const SourceNode& source) {
       if (auto action = build_action(source)) {
-        actions.first.push_back(std::move(*action));
+        actions.first.push_back(*action);
         actions.second.push_back(source.mark);
       }
     };

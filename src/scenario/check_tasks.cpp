@@ -105,12 +105,12 @@ class TaskWalk {
     if (transfer == nullptr || transfer->destination.place) return;
     auto& contents = members_[transfer->destination.slot].contents;
     if (!contents) return;
-    if (!transfer->source.place) {
-      contents.reset();  // from another carrier: could be anything
-    } else if (const auto loaded = material(*transfer->source.place)) {
+    const auto loaded =
+        transfer->source.place ? material(*transfer->source.place) : std::optional<std::string>();
+    if (loaded) {
       contents->insert(*loaded);
     } else {
-      contents.reset();
+      contents.reset();  // from a carrier: could be anything
     }
   }
 

@@ -1,8 +1,5 @@
 #include <fmt/format.h>
 
-#include <cmath>
-#include <initializer_list>
-#include <limits>
 #include <utility>
 
 #include "limits.hpp"

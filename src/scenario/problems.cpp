@@ -39,6 +39,7 @@ void Problems::throw_if_any() const {
   std::stable_sort(sorted.begin(), sorted.end(),
                    [&](const Found& a, const Found& b) { return position(a) < position(b); });
   std::vector<Diagnostic> diagnostics;
+  diagnostics.reserve(sorted.size() + 1);
   for (const Found& found : sorted) diagnostics.push_back(diagnostic(found));
   if (count_ > found_.size()) {
     diagnostics.push_back({.severity = Diagnostic::Severity::kError,

@@ -1,5 +1,6 @@
 #include "yaml_reader.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <string>
@@ -50,6 +51,18 @@ TEST(YamlReader, AliasBombIsRefused) {
     text += "]\n";
   }
   EXPECT_NE(problems_in(text).find("more than 200000 values"), std::string::npos);
+}
+
+TEST(YamlReader, NestingThatGrowsThroughAliasesIsRefused) {
+  std::string text = "k0: &a0 x\n";
+  for (int i = 1; i < 100; ++i) text += fmt::format("k{}: &a{} [[[[*a{}]]]]\n", i, i, i - 1);
+  EXPECT_NE(problems_in(text).find("levels of nesting"), std::string::npos);
+}
+
+TEST(YamlReader, LongTextsCountAsManyValues) {
+  std::string text = "a: &a " + std::string(500'000, 'x') + "\nb: [*a";
+  for (int i = 0; i < 1000; ++i) text += ", *a";
+  EXPECT_NE(problems_in(text + "]\n").find("more than 200000 values"), std::string::npos);
 }
 
 TEST(YamlReader, AliasOfItselfIsRefused) {

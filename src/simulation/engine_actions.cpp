@@ -189,7 +189,9 @@ void Engine::park(std::int16_t id, const ParkAction& action) {
 void Engine::release(std::int16_t id) {
   const std::int16_t execution_id = state_.workers[at(id)].execution;
   Execution& execution = state_.executions[at(execution_id)];
-  execution.gone |= slot_bit(at(state_.workers[at(id)].slot));
+  const std::size_t slot = at(state_.workers[at(id)].slot);
+  execution.gone |= slot_bit(slot);
+  execution.members[slot] = Assignment::kNobody;  // it may come back as a late joiner of another slot
   unbind_worker(id);
   note({.tick = state_.now, .type = LogEvent::Type::kRelease, .a = id, .b = execution.serial});
   end_sequence(execution_id);
