@@ -205,6 +205,16 @@ INSTANTIATE_TEST_SUITE_P(
         Wrong{"gantt nowhere.jsonl", "nowhere.jsonl"},
         Wrong{"gantt scenarios/duct_line.yaml", "scenarios/duct_line.yaml"},
         Wrong{"simulate scenarios/duct_line.yaml --humanz 2", "did you mean '--humans'?"},
+        Wrong{"simulate scenarios/duct_line.yaml --humans 1..2", "this command runs one"},
+        Wrong{"simulate scenarios/duct_line.yaml --humans 2 --crew human=1", "given twice"},
+        Wrong{"simulate scenarios/duct_line.yaml --log out/x.svg --gantt out/x.svg", "two files"},
+        Wrong{"simulate scenarios/duct_line.yaml --seed -1", "--seed"},
+        Wrong{"simulate scenarios/duct_line.yaml --planner replay --humans 1 --decisions x.json",
+              "from the record"},
+        Wrong{"simulate scenarios/duct_line.yaml --planner replay --order 0 --decisions "
+              "tests/data/recorded/rule_H2R2_n1_s0.json",
+              "order of 0"},
+        Wrong{"evaluate scenarios/duct_line.yaml --planner replay", "only for simulate"},
         Wrong{"simualte", "did you mean 'simulate'?"}));
 
 }  // namespace

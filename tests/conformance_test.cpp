@@ -8,6 +8,8 @@
 #include <sstream>
 
 #include "linewright/allocation/allocator.hpp"
+#include "linewright/evaluation/event_log_writer.hpp"
+#include "linewright/evaluation/recorded_run.hpp"
 #include "linewright/planning/episode.hpp"
 #include "linewright/planning/planner.hpp"
 #include "tests/support.hpp"
@@ -159,9 +161,9 @@ class Audit {
   std::map<int, std::vector<std::string>> bound_to_;
 };
 
-class EveryScenario : public ::testing::TestWithParam<std::string> {};
+class EveryLine : public ::testing::TestWithParam<std::string> {};
 
-TEST_P(EveryScenario, ConservesTokensMachinesAndPeople) {
+TEST_P(EveryLine, ConservesTokensMachinesAndPeople) {
   const Line& line = shipped_line(GetParam());
   for (std::uint64_t seed = 1; seed <= 40; ++seed) {
     const LoggedRun run =
@@ -169,11 +171,49 @@ TEST_P(EveryScenario, ConservesTokensMachinesAndPeople) {
     const Audit audit(run.text);
     ASSERT_EQ(audit.problem, "") << "seed " << seed;
     const Order& order = line.scenario.line.order;
-    EXPECT_EQ(
-        audit.count(line.scenario.line.places[order.finished_in.index()].name),
-        line.simulator->value(run.state, {VariableKind::kPlaceCount, order.finished_in.value}));
+    const Variable finished{VariableKind::kPlaceCount, order.finished_in.value};
+    EXPECT_EQ(audit.count(line.scenario.line.places[order.finished_in.index()].name),
+              line.simulator->value(run.state, finished));
   }
 }
+
+TEST_P(EveryLine, ReplaysItsOwnLogs) {
+  const Line& line = shipped_line(GetParam());
+  const auto fallback = make_allocator("first_idle", *line.simulator);
+  for (std::uint64_t seed = 1; seed <= 10; ++seed) {
+    const LoggedRun run = run_line(line, {}, seed, "random", "no_spatial");
+    const RecordedRun recorded = read_recorded_run(run.text, "log", line.simulator->line());
+    LoggedRun again;
+    replay(*line.simulator, again.state, recorded.setup, recorded.decisions, *fallback, &again.log);
+    EXPECT_EQ(event_log_text(line.scenario, again.log, line.simulator->progress(again.state)),
+              run.text)
+        << "seed " << seed;
+  }
+}
+
+std::vector<std::string> all_lines() {
+  std::vector<std::string> files = shipped_scenarios();
+  for (const std::string& file : awkward_scenarios()) files.push_back(file);
+  return files;
+}
+
+INSTANTIATE_TEST_SUITE_P(All, EveryLine, ::testing::ValuesIn(all_lines()),
+                         [](const ::testing::TestParamInfo<std::string>& scenario) {
+                           return std::filesystem::path(scenario.param).stem().string();
+                         });
+
+TEST(WaitingAction, StartsInTheTickInWhichAnOperationMakesRoom) {
+  const Line& line = shipped_line("tests/data/awkward/waiting_for_room.yaml");
+  const LoggedRun run = run_line(line, {}, 1, "first", "sap");
+  EXPECT_NE(run.text.find("{\"t\":2,\"event\":\"transfer\""), std::string::npos) << run.text;
+}
+
+TEST(Milestone, OfABerthIsNotedWhenAWorkerPutsTheItemIn) {
+  const Line& line = shipped_line("tests/data/awkward/milestone_of_a_berth.yaml");
+  EXPECT_NE(run_line(line, {}, 1, "first", "sap").text.find("in_bay"), std::string::npos);
+}
+
+class EveryScenario : public ::testing::TestWithParam<std::string> {};
 
 TEST_P(EveryScenario, GivesTheSameLogForTheSameSeedAndAnotherForAnother) {
   const Line& line = shipped_line(GetParam());

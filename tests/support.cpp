@@ -22,10 +22,12 @@ const Line& shipped_line(const std::string& file) {
   return entry->second;
 }
 
-std::vector<std::string> shipped_scenarios() {
+namespace {
+
+std::vector<std::string> scenarios_in(const std::string& folder) {
   const std::filesystem::path root(LINEWRIGHT_SOURCE_DIR);
   std::vector<std::string> files;
-  for (const auto& entry : std::filesystem::recursive_directory_iterator(root / "scenarios")) {
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(root / folder)) {
     if (entry.path().extension() == ".yaml") {
       files.push_back(std::filesystem::relative(entry.path(), root).generic_string());
     }
@@ -33,6 +35,12 @@ std::vector<std::string> shipped_scenarios() {
   std::sort(files.begin(), files.end());
   return files;
 }
+
+}  // namespace
+
+std::vector<std::string> shipped_scenarios() { return scenarios_in("scenarios"); }
+
+std::vector<std::string> awkward_scenarios() { return scenarios_in("tests/data/awkward"); }
 
 LoggedRun run_line(const Line& line, const RunOptions& options, std::uint64_t seed,
                    const std::string& planner, const std::string& allocator) {

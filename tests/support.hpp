@@ -20,6 +20,10 @@ const Line& shipped_line(const std::string& file);
 /// Every scenario file of the repository, in order of their names.
 std::vector<std::string> shipped_scenarios();
 
+/// Small lines with late joiners, releases, berths and waiting in unusual places
+/// (tests/data/awkward).
+std::vector<std::string> awkward_scenarios();
+
 /// A run from start to end, as a log text.
 struct LoggedRun {
   SimulationState state;

@@ -49,7 +49,7 @@ std::size_t bytes_of(const SimulationState& state) {
 void measure_episodes(const Simulator& simulator, const BenchArguments& arguments, Speed& speed) {
   const auto planner = PlannerRegistry::make(arguments.run.configuration.planner, simulator);
   const auto allocator = make_allocator(arguments.run.configuration.allocator, simulator);
-  const RunOptions crew = crews_of(arguments.run, simulator.line(), false).at(0);
+  const RunOptions crew = one_crew(arguments.run, simulator.line());
   std::vector<RunSetup> setups;
   for (std::uint64_t i = 0; i < 64; ++i) {
     setups.push_back(sample_setup(simulator.line(), crew,
@@ -75,7 +75,7 @@ void measure_episodes(const Simulator& simulator, const BenchArguments& argument
 
 void measure_copy(const Simulator& simulator, const BenchArguments& arguments, Speed& speed) {
   SimulationState state;
-  const RunOptions crew = crews_of(arguments.run, simulator.line(), false).at(0);
+  const RunOptions crew = one_crew(arguments.run, simulator.line());
   simulator.reset(state, sample_setup(simulator.line(), crew, arguments.run.seed));
   simulator.advance(state);
   SimulationState copy = state;
@@ -91,7 +91,7 @@ void measure_copy(const Simulator& simulator, const BenchArguments& arguments, S
 
 void measure_threads(const Scenario& scenario, const BenchArguments& arguments, Speed& speed) {
   TrialPlan plan{
-      .crews = {crews_of(arguments.run, scenario.line, false).at(0)},
+      .crews = {one_crew(arguments.run, scenario.line)},
       .trials = std::max<std::size_t>(
           64, static_cast<std::size_t>(speed.episodes_per_second * arguments.seconds / 4)),
       .seed = arguments.run.seed,

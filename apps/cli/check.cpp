@@ -33,7 +33,7 @@ const char* verdict_text(Liveness::Verdict verdict) {
     case Liveness::Verdict::kDead:
       return "can never be finished";
     case Liveness::Verdict::kUnknown:
-      return "was never finished";
+      return "could not be shown to be possible within the search limits";
   }
   return "";
 }
@@ -165,7 +165,7 @@ int check(const CheckArguments& arguments) {
   if (impossible) {
     report(fmt::format(
         "{}: error: an order of {} can never be finished\n  hint: look at stocks, capacities and "
-        "conditions; the tables above say which crew",
+        "conditions; the crews are listed on standard output",
         arguments.run.scenario, order));
     return kBadInput;
   }

@@ -91,6 +91,7 @@ void add_run_options(CLI::App& app, RunArguments& arguments) {
       ->type_name("TICKS");
   app.add_option("--seed", arguments.seed, "Seed of start positions and of random choices")
       ->capture_default_str()
+      ->check(CLI::NonNegativeNumber)
       ->type_name("N");
   app.add_flag("--json", arguments.json, "Print one JSON object (docs/cli.md) instead of text");
 }
@@ -115,7 +116,13 @@ std::vector<RunOptions> crews_of(const RunArguments& arguments, const LineModel&
   std::vector<std::vector<std::int32_t>> counts(line.worker_kinds.size());
   const auto set = [&](const std::string& option, const std::string& kind,
                        const std::string& text) {
-    if (!text.empty()) counts[kind_named(line, option, kind)] = parse_counts(option, text);
+    if (text.empty()) return;
+    std::vector<std::int32_t>& named = counts[kind_named(line, option, kind)];
+    if (!named.empty()) {
+      throw ScenarioError({}, fmt::format("{}: the number of {}s is given twice", option, kind),
+                          "give it once");
+    }
+    named = parse_counts(option, text);
   };
   set("--humans", "human", arguments.humans);
   set("--robots", "robot", arguments.robots);
@@ -148,6 +155,16 @@ std::vector<RunOptions> crews_of(const RunArguments& arguments, const LineModel&
     crews = std::move(extended);
   }
   return crews;
+}
+
+RunOptions one_crew(const RunArguments& arguments, const LineModel& line) {
+  const std::vector<RunOptions> crews = crews_of(arguments, line, false);
+  if (crews.size() > 1) {
+    throw ScenarioError({},
+                        fmt::format("{} crews are named, but this command runs one", crews.size()),
+                        "give one number per kind of worker; evaluate and check take ranges");
+  }
+  return crews.at(0);
 }
 
 std::string crew_name(const LineModel& line, const std::vector<std::int32_t>& counts) {

@@ -53,6 +53,10 @@ void add_configuration_options(CLI::App& app, RunArguments& arguments);
 [[nodiscard]] std::vector<RunOptions> crews_of(const RunArguments& arguments, const LineModel& line,
                                                bool fill);
 
+/// The one crew that the options name, for commands that run a single one. Throws ScenarioError
+/// when they name several.
+[[nodiscard]] RunOptions one_crew(const RunArguments& arguments, const LineModel& line);
+
 /// "H2R2"-like name of a crew: initials and counts.
 [[nodiscard]] std::string crew_name(const LineModel& line, const std::vector<std::int32_t>& counts);
 

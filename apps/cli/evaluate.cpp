@@ -216,6 +216,10 @@ std::string paired_text(const LineModel& line, const Evaluation& first, const Ev
 }
 
 int evaluate(const EvaluateArguments& arguments) {
+  if (arguments.run.configuration.planner == "replay") {
+    throw ScenarioError({}, "planner 'replay' is only for simulate",
+                        "use simulate --planner replay --decisions FILE");
+  }
   const Scenario scenario = load_scenario(arguments.run.scenario);
   const LineModel& line = scenario.line;
   TrialPlan plan{.crews = crews_of(arguments.run, line, true),

@@ -36,14 +36,14 @@ struct Outcome {
   std::vector<MilestoneComparison> milestones;
 };
 
-const char* status_text(RunStatus status) {
+const char* status_name(RunStatus status) {
   switch (status) {
     case RunStatus::kFinished:
       return "finished";
     case RunStatus::kDeadlock:
       return "deadlock";
     case RunStatus::kHorizon:
-      return "horizon reached";
+      return "horizon";
     case RunStatus::kDecision:
     case RunStatus::kJoin:
     case RunStatus::kRunning:
@@ -54,7 +54,7 @@ const char* status_text(RunStatus status) {
 
 Outcome play(const Simulator& simulator, const SimulateArguments& arguments) {
   Outcome outcome;
-  const RunOptions crew = crews_of(arguments.run, simulator.line(), false).at(0);
+  const RunOptions crew = one_crew(arguments.run, simulator.line());
   const RunSetup setup = sample_setup(simulator.line(), crew, arguments.run.seed);
   const auto planner = PlannerRegistry::make(arguments.run.configuration.planner, simulator);
   const auto allocator = make_allocator(arguments.run.configuration.allocator, simulator);
@@ -68,11 +68,17 @@ Outcome play_recorded(const Simulator& simulator, const SimulateArguments& argum
     throw ScenarioError({}, "--planner replay needs the decisions to replay",
                         "add --decisions FILE (docs/formats/decisions.md, or an event log)");
   }
+  if (!arguments.run.humans.empty() || !arguments.run.robots.empty() ||
+      !arguments.run.crew.empty()) {
+    throw ScenarioError({}, "--planner replay takes the crew from the record",
+                        "leave out --humans, --robots and --crew");
+  }
   Outcome outcome;
   outcome.recorded = load_recorded_run(arguments.decisions, simulator.line());
   RunSetup& setup = outcome.recorded->setup;
   if (arguments.run.order) setup.order = *arguments.run.order;
   if (arguments.run.horizon) setup.horizon = *arguments.run.horizon;
+  check_setup(simulator.line(), setup);
   const auto fallback = make_allocator("first_idle", simulator);
   outcome.replayed =
       replay(simulator, outcome.state, setup, outcome.recorded->decisions, *fallback, &outcome.log);
@@ -137,7 +143,7 @@ Json to_json(const Simulator& simulator, const SimulateArguments& arguments,
   Json object{{"finished", finished},
               {"makespan", finished ? Json(outcome.state.now) : Json(nullptr)},
               {"progress", result.progress},
-              {"status", status_text(outcome.state.status)},
+              {"status", status_name(outcome.state.status)},
               {"ended_at", outcome.state.now},
               {"line", line.name},
               {"order", outcome.log.setup.order},
@@ -220,7 +226,7 @@ std::string to_text(const Simulator& simulator, const SimulateArguments& argumen
   std::string text = text_table({
       {"line", line.name},
       {"order", fmt::format("{} {}", outcome.log.setup.order, line.order.product)},
-      {"status", status_text(outcome.state.status)},
+      {"status", status_name(outcome.state.status)},
       {finished ? "makespan" : "stopped at", fmt::format("{} ticks ({:.1f} min)", outcome.state.now,
                                                          outcome.state.now * line.tick_s / 60.0)},
       {"progress", percent(result.progress)},
@@ -261,6 +267,9 @@ void write_outputs(const Scenario& scenario, const Simulator& simulator,
 }
 
 int simulate(const SimulateArguments& arguments) {
+  if (!arguments.log.empty() && arguments.log == arguments.gantt) {
+    throw ScenarioError(arguments.log, "is named for the log and for the chart", "name two files");
+  }
   const Scenario scenario = load_scenario(arguments.run.scenario);
   const Simulator simulator(std::make_shared<const LineModel>(scenario.line));
   const bool recorded = arguments.run.configuration.planner == "replay";

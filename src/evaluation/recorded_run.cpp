@@ -187,7 +187,6 @@ class Reader {
       return;
     }
     RecordedDecision decision;
-    decision.members.fill(Assignment::kNobody);
     const auto tick = entry["tick"].get<std::int64_t>();
     const Tick before = run_.decisions.empty() ? 0 : run_.decisions.back().tick;
     if (tick <= before || tick > kMaxTicks) {
@@ -216,7 +215,26 @@ class Reader {
       }
       decision.members[slot] = static_cast<std::int16_t>(first + member.get<std::size_t>());
     }
+    if (entry.contains("joins")) read_joins(entry["joins"], *task, decision);
     run_.decisions.push_back(decision);
+  }
+
+  /// {"robot": [2, ...]}: who filled the slots that were left open at the decision, in their order.
+  void read_joins(const Json& joins, const Task& task, RecordedDecision& decision) {
+    std::map<std::string, std::size_t> seen;
+    for (std::size_t slot = 0; slot < task.crew.size(); ++slot) {
+      const std::string& role = task.crew[slot].role;
+      if (decision.members[slot] >= 0 || !joins.is_object() || !joins.contains(role)) continue;
+      const std::size_t rank = seen[role]++;
+      if (!joins[role].is_array() || rank >= joins[role].size()) continue;
+      const Json& member = joins[role][rank];
+      const auto [first, count] = members_of(task.crew[slot]);
+      if (!member.is_number_integer() || member.get<std::int64_t>() < 0 ||
+          member.get<std::uint64_t>() >= count) {
+        continue;
+      }
+      decision.joiners[slot] = static_cast<std::int16_t>(first + member.get<std::size_t>());
+    }
   }
 
   void read_milestones(const Json& record) {
@@ -269,7 +287,11 @@ class Reader {
     }
   }
 
-  static void header(const Json& head, Json& record) {
+  void header(const Json& head, Json& record) const {
+    for (const WorkerKind& kind : line_.worker_kinds)
+      record["start"][kind.name + "s"] = Json::array();
+    for (const CarrierKind& kind : line_.carrier_kinds)
+      record["start"][kind.name + "s"] = Json::array();
     const Json order = head.value("order", Json::object());
     if (order.is_object() && order.contains("quantity")) record["order"] = order["quantity"];
     if (head.contains("horizon")) record["horizon"] = head["horizon"];
@@ -296,6 +318,16 @@ class Reader {
         for (const auto& [role, members] : crew.items()) decision[role] = numbers(members);
       }
       record["decisions"].push_back(std::move(decision));
+    } else if (name == "join") {
+      const Json n = entry.value("n", Json());
+      const Json role = entry.value("role", Json());
+      Json& decisions = record["decisions"];
+      if (!n.is_number_integer() || !role.is_string()) return false;
+      const auto serial = n.get<std::uint64_t>();  // a negative one is too large
+      if (serial < 1 || serial > decisions.size()) return false;
+      Json& joined = decisions[serial - 1]["joins"][role.get<std::string>()];
+      for (const Json& number : numbers(Json::array({entry.value("worker", Json())})))
+        joined.push_back(number);
     } else if (name == "milestone") {
       record["milestones"].push_back(Json::array({tick, entry.value("name", Json())}));
     } else if (name == "end") {

@@ -43,7 +43,9 @@ class Bench {
 WorkerShares shares_of(const WorkerState& worker, Tick now) {
   // A horizon may cut off what is under way: count only up to now.
   const Tick assigned = worker.assigned_ticks + (worker.free() ? 0 : now - worker.since);
-  const Tick under_way = std::max(0, worker.arrive - std::max(now, worker.depart));
+  // Going to where one stands already is no travel (see Engine::begin_going).
+  const Tick under_way =
+      worker.from == worker.station ? 0 : std::max(0, worker.arrive - std::max(now, worker.depart));
   const Tick travel = std::clamp(worker.travel_ticks - under_way, 0, assigned);
   const Tick work = std::min(worker.work_ticks, assigned - travel);
   const double length = std::max(1, now);
@@ -161,10 +163,10 @@ std::vector<std::vector<TrialResult>> run_trials(const Scenario& scenario,
 
   const std::size_t cores = std::max(1U, std::thread::hardware_concurrency());
   const std::size_t threads = std::min(plan.threads == 0 ? cores : plan.threads, total);
-  std::vector<std::thread> pool;
+  std::vector<std::jthread> pool;  // joined also when a later one cannot be started
   for (std::size_t t = 1; t < threads; ++t) pool.emplace_back(work);
   work();
-  for (std::thread& thread : pool) thread.join();
+  for (std::jthread& thread : pool) thread.join();
   if (failure) std::rethrow_exception(failure);
 
   std::size_t complete = 0;

@@ -7,10 +7,16 @@
 namespace linewright {
 namespace {
 
-/// To the end of `tick`, binding late joiners on the way.
+/// To the end of `tick`, binding late joiners on the way: the recorded ones where they can be had.
 void advance_joining(const Simulator& simulator, SimulationState& state, Tick tick,
-                     Allocator& fallback, EventLog* log) {
+                     const std::vector<RecordedDecision>& decisions, Allocator& fallback,
+                     EventLog* log) {
   while (simulator.advance_to(state, tick, log) == RunStatus::kJoin) {
+    const auto pending = simulator.pending_join(state);
+    const auto serial = static_cast<std::size_t>(state.executions[pending->execution].serial);
+    const std::int16_t recorded = decisions[serial - 1].joiners[pending->slot];
+    if (recorded >= 0 && simulator.join(state, *pending, WorkerId(std::int32_t{recorded}), log))
+      continue;
     bind_joiner(simulator, state, fallback, log);
   }
 }
@@ -43,7 +49,7 @@ ReplayResult replay(const Simulator& simulator, SimulationState& state, const Ru
   for (const RecordedDecision& decision : decisions) {
     ReplayedDecision& played = result.decisions.emplace_back();
     played.recorded = decision.tick;
-    advance_joining(simulator, state, decision.tick - 1, fallback, log);
+    advance_joining(simulator, state, decision.tick - 1, decisions, fallback, log);
     while (!state.ended()) {
       const Assignment assignment = complete(state, decision, simulator, fallback);
       const std::string refusal = simulator.explain_refusal(state, assignment);
@@ -54,11 +60,11 @@ ReplayResult replay(const Simulator& simulator, SimulationState& state, const Ru
       }
       played.refusal = refusal;
       if (state.events.empty()) break;  // nothing will ever change
-      advance_joining(simulator, state, state.events.back().tick(), fallback, log);
+      advance_joining(simulator, state, state.events.back().tick(), decisions, fallback, log);
     }
     if (!played.taken) break;
   }
-  advance_joining(simulator, state, state.horizon + 1, fallback, log);
+  advance_joining(simulator, state, state.horizon + 1, decisions, fallback, log);
   result.status = state.status;
   return result;
 }

@@ -45,7 +45,7 @@ StateKey state_key(const Simulator& simulator, const SimulationState& state,
     put(execution.task);
     put(execution.step);
     put(execution.open_sequences);
-    put(execution.missing | (execution.gone << 8));
+    put(execution.missing | (execution.gone << 8) | (execution.joining << 16));
     put(static_cast<std::int32_t>(execution.reserved));
     for (std::size_t slot = 0;
          slot < line.tasks[static_cast<std::size_t>(execution.task)].crew.size(); ++slot) {

@@ -105,7 +105,7 @@ void Engine::schedule(Tick tick, std::uint32_t order, std::int32_t operator_work
   // Few events are pending and most new ones lie late, that is near the front: shift from the back.
   std::size_t at = events.size();
   events.emplace_back();
-  while (at > 0 && events[at - 1].when < when) {
+  while (at > 0 && events[at - 1].when <= when) {
     events[at] = events[at - 1];
     --at;
   }
@@ -119,7 +119,9 @@ RunStatus Engine::advance() {
       if (any_selectable()) return state_.status = RunStatus::kDecision;
     }
     if (state_.events.empty()) {
-      return end(any_selectable() ? RunStatus::kHorizon : RunStatus::kDeadlock, state_.now);
+      // What could go on has run out of time; else more time would not help.
+      const bool possible = any_selectable() || find_join(compiled_, state_);
+      return end(possible ? RunStatus::kHorizon : RunStatus::kDeadlock, state_.now);
     }
     const Tick next = state_.events.back().tick();
     if (next > state_.horizon) return end(RunStatus::kHorizon, state_.horizon);
@@ -129,12 +131,19 @@ RunStatus Engine::advance() {
 }
 
 RunStatus Engine::advance_to(Tick tick) {
-  while (!state_.ended() && state_.now < tick) {
-    if (find_join(compiled_, state_)) return state_.status = RunStatus::kJoin;
-    if (state_.events.empty() && !any_selectable()) return end(RunStatus::kDeadlock, state_.now);
-    const Tick next = state_.events.empty() ? tick : state_.events.back().tick();
-    if (std::min(next, tick) > state_.horizon) return end(RunStatus::kHorizon, state_.horizon);
-    if (next > tick || state_.events.empty()) {
+  while (!state_.ended()) {
+    // Also at the very end of `tick`: a joiner is bound before the next decision.
+    if (state_.now < state_.horizon && find_join(compiled_, state_)) {
+      return state_.status = RunStatus::kJoin;
+    }
+    if (state_.now >= tick) break;
+    const bool idle = state_.events.empty();
+    if (idle && !any_selectable() && !find_join(compiled_, state_)) {
+      return end(RunStatus::kDeadlock, state_.now);
+    }
+    const Tick next = idle ? tick : std::min(tick, state_.events.back().tick());
+    if (next > state_.horizon) return end(RunStatus::kHorizon, state_.horizon);
+    if (idle || state_.events.back().tick() > tick) {
       state_.now = tick;
     } else {
       process_tick(next);
@@ -171,8 +180,12 @@ void Engine::process_tick(Tick tick) {
       state_.events.pop_back();
       handle(event);
     }
-    if (!state_.waiting.empty()) start_waiting_actions();
-    start_operations();
+    bool again = true;
+    while (again) {  // what one starts may enable the other
+      const bool waiting_started = start_waiting_actions();
+      const bool operations_started = start_operations();
+      again = !state_.waiting.empty() && (waiting_started || operations_started);
+    }
   } while (!state_.events.empty() && state_.events.back().tick() == tick);
   refresh_selectable();
   const std::size_t done = compiled_.done_bit();
@@ -184,7 +197,7 @@ void Engine::handle(const SimulationState::Event& event) {
   const auto number = static_cast<std::int32_t>(order & kNumber);
   switch (order & ~kNumber) {
     case kJoin:
-      begin_sequence(static_cast<std::int16_t>(number));
+      begin_joined(static_cast<std::int16_t>(number));
       break;
     case kWorker:
       end_phase(static_cast<std::int16_t>(number));
@@ -200,7 +213,8 @@ void Engine::handle(const SimulationState::Event& event) {
   }
 }
 
-void Engine::start_operations() {
+bool Engine::start_operations() {
+  bool started = false;
   // Always the first enabled operation of the file; after each start look again from the first.
   for (std::size_t word = 0; word < compiled_.operation_words;) {
     const std::uint64_t dirty = state_.dirty_operations[word];
@@ -220,8 +234,10 @@ void Engine::start_operations() {
       continue;
     }
     start_operation(static_cast<std::int32_t>(operation), -1);
+    started = true;
     word = 0;
   }
+  return started;
 }
 
 void Engine::refresh_selectable() {

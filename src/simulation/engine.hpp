@@ -32,8 +32,9 @@ class Engine {
   // engine.cpp: the clock
   void process_tick(Tick tick);
   void handle(const SimulationState::Event& event);
-  void start_waiting_actions();
-  void start_operations();
+  bool start_waiting_actions();
+  bool start_waiting(std::int16_t worker);
+  bool start_operations();
   RunStatus end(RunStatus status, Tick tick);
   void schedule(Tick tick, std::uint32_t order, std::int32_t operator_worker = -1);
   void refresh_selectable();
@@ -73,6 +74,7 @@ class Engine {
   void unbind_worker(std::int16_t worker);
   void unbind_carrier(std::int16_t carrier);
   void begin_step(std::int16_t execution);
+  void begin_joined(std::int16_t worker);
   void begin_sequence(std::int16_t worker);
   void begin_action(std::int16_t worker);
   void begin_main(std::int16_t worker);

@@ -103,7 +103,8 @@ void Engine::begin_main(std::int16_t id) {
   }
 }
 
-void Engine::start_waiting_actions() {
+bool Engine::start_waiting_actions() {
+  if (state_.waiting.empty()) return false;
   // In order of the executions' serials, then of the workers.
   std::sort(state_.waiting.begin(), state_.waiting.end(), [&](std::int16_t a, std::int16_t b) {
     const auto serial = [&](std::int16_t w) {
@@ -111,28 +112,29 @@ void Engine::start_waiting_actions() {
     };
     return serial(a) != serial(b) ? serial(a) < serial(b) : a < b;
   });
-  std::size_t kept = 0;
-  for (std::size_t i = 0; i < state_.waiting.size(); ++i) {
+  bool any = false;
+  for (std::size_t i = 0; i < state_.waiting.size();) {
     const std::int16_t id = state_.waiting[i];
-    WorkerState& worker = state_.workers[at(id)];
-    const Action& action = action_of(worker);
-    bool started = false;
-    if (const auto* operate = std::get_if<OperateAction>(&action.what)) {
-      started = compiled_.operations[operate->operation.index()].enabled.holds(state_.values);
-      if (started) {
-        worker.work_since = state_.now;
-        start_operation(operate->operation.value, id);
-      }
-    } else {
-      started = begin_item(id);
+    if (!start_waiting(id)) {
+      ++i;
+      continue;
     }
-    if (started) {
-      worker.phase = WorkerState::Phase::kMain;
-    } else {
-      state_.waiting[kept++] = id;
-    }
+    any = true;
+    state_.workers[at(id)].phase = WorkerState::Phase::kMain;
+    state_.waiting.erase(state_.waiting.begin() + static_cast<std::ptrdiff_t>(i));
+    i = 0;  // an earlier one may have become possible
   }
-  state_.waiting.resize(kept);
+  return any;
+}
+
+bool Engine::start_waiting(std::int16_t id) {
+  WorkerState& worker = state_.workers[at(id)];
+  const auto* operate = std::get_if<OperateAction>(&action_of(worker).what);
+  if (operate == nullptr) return begin_item(id);
+  if (!compiled_.operations[operate->operation.index()].enabled.holds(state_.values)) return false;
+  worker.work_since = state_.now;
+  start_operation(operate->operation.value, id);
+  return true;
 }
 
 void Engine::end_phase(std::int16_t id) {
@@ -191,7 +193,8 @@ void Engine::release(std::int16_t id) {
   Execution& execution = state_.executions[at(execution_id)];
   const std::size_t slot = at(state_.workers[at(id)].slot);
   execution.gone |= slot_bit(slot);
-  execution.members[slot] = Assignment::kNobody;  // it may come back as a late joiner of another slot
+  execution.members[slot] =
+      Assignment::kNobody;  // it may come back as a late joiner of another slot
   unbind_worker(id);
   note({.tick = state_.now, .type = LogEvent::Type::kRelease, .a = id, .b = execution.serial});
   end_sequence(execution_id);

@@ -104,6 +104,7 @@ void Engine::join(PendingJoin pending, WorkerId worker) {
   Execution& execution = state_.executions[pending.execution];
   const auto member = static_cast<std::int16_t>(worker.value);
   execution.missing = static_cast<std::uint8_t>(execution.missing & ~slot_bit(pending.slot));
+  execution.joining |= slot_bit(pending.slot);
   execution.members[pending.slot] = member;
   --state_.missing;
   ++state_.now;  // bound at the next tick ...
@@ -199,8 +200,9 @@ void Engine::begin_step(std::int16_t id) {
       if ((execution.gone & slot_bit(sequence.slot)) != 0) continue;
       ++execution.open_sequences;
     }
+    const int unable = execution.gone | execution.missing | execution.joining;
     for (const ActorSequence& sequence : step.sequences) {
-      if (((execution.gone | execution.missing) & slot_bit(sequence.slot)) != 0) continue;
+      if ((unable & slot_bit(sequence.slot)) != 0) continue;
       begin_sequence(execution.members[sequence.slot]);
     }
     if (--execution.open_sequences > 0) return;
@@ -216,13 +218,20 @@ const Action& Engine::action_of(const WorkerState& worker) const {
       worker.action)];
 }
 
-void Engine::begin_sequence(std::int16_t id) {
-  WorkerState& worker = state_.workers[at(id)];
-  const Execution& execution = state_.executions[at(worker.execution)];
-  worker.action = -1;
+void Engine::begin_joined(std::int16_t id) {
+  const WorkerState& worker = state_.workers[at(id)];
+  if (worker.free()) return;  // another joiner's first sequence has ended the task in this tick
+  Execution& execution = state_.executions[at(worker.execution)];
+  const std::uint8_t bit = slot_bit(at(worker.slot));
+  if ((execution.joining & bit) == 0) return;
+  execution.joining = static_cast<std::uint8_t>(execution.joining & ~bit);
   // A late joiner may have nothing to do in the step that is under way.
-  if (compiled_.tasks[at(execution.task)].sequence_of[at(execution.step)][at(worker.slot)] < 0)
-    return;
+  const auto& sequences = compiled_.tasks[at(execution.task)].sequence_of[at(execution.step)];
+  if (sequences[at(worker.slot)] >= 0) begin_sequence(id);
+}
+
+void Engine::begin_sequence(std::int16_t id) {
+  state_.workers[at(id)].action = -1;
   end_action(id);
 }
 

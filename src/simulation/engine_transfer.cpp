@@ -68,7 +68,7 @@ bool Engine::begin_item(std::int16_t id) {
                                     : compiled_.place_material[transfer.source.place->index()];
   if (from >= 0) {
     ++state_.carriers[at(from)].leaving;
-    if (transfer.source.place) refresh_berth(transfer.source.place->value);
+    if (state_.carriers[at(from)].berth >= 0) refresh_berth(state_.carriers[at(from)].berth);
   } else if (const int r = reservation_for(task, execution.reserved, transfer.source, false);
              r >= 0) {
     execution.reserved &= ~(1U << static_cast<unsigned>(r));
@@ -78,7 +78,7 @@ bool Engine::begin_item(std::int16_t id) {
   if (into >= 0) {
     ++state_.carriers[at(into)].coming;
     state_.carriers[at(into)].material = material;
-    if (transfer.destination.place) refresh_berth(transfer.destination.place->value);
+    if (state_.carriers[at(into)].berth >= 0) refresh_berth(state_.carriers[at(into)].berth);
   } else if (const int r = reservation_for(task, execution.reserved, transfer.destination, true);
              r >= 0) {
     execution.reserved &= ~(1U << static_cast<unsigned>(r));
@@ -120,7 +120,10 @@ void Engine::end_item(std::int16_t id) {
     CarrierState& carrier = state_.carriers[at(into)];
     --carrier.coming;
     ++carrier.items;
-    if (carrier.berth >= 0) refresh_berth(carrier.berth);
+    if (carrier.berth >= 0) {
+      refresh_berth(carrier.berth);
+      milestones(compiled_.place_milestones[at(carrier.berth)]);
+    }
   } else {
     const std::int32_t place = transfer.destination.place->value;
     add(ValueLayout::place(place, ValueLayout::kCount), 1);

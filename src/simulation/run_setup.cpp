@@ -70,9 +70,7 @@ std::vector<StationId> start_stations(const LineModel& line, WorkerKindId kind) 
   return stations;
 }
 
-RunSetup sample_setup(const LineModel& line, const RunOptions& options, std::uint64_t seed) {
-  RunSetup setup;
-  setup.order = options.order.value_or(line.order.quantity);
+void check_setup(const LineModel& line, const RunSetup& setup) {
   if (setup.order < 1 || setup.order > kMostProducts) {
     throw ScenarioError({}, fmt::format("an order of {} is not possible", setup.order),
                         fmt::format("order 1 to {}", kMostProducts));
@@ -88,11 +86,18 @@ RunSetup sample_setup(const LineModel& line, const RunOptions& options, std::uin
                           "order less, or raise the capacity in the scenario");
     }
   }
-  setup.horizon = options.horizon.value_or(line.horizon.ticks(setup.order));
   if (setup.horizon < 1 || setup.horizon > kMaxTicks) {
     throw ScenarioError({}, fmt::format("a horizon of {} ticks is not possible", setup.horizon),
                         fmt::format("give 1 to {} ticks", kMaxTicks));
   }
+  refuse_too_many(setup.worker_start, "workers");
+  refuse_too_many(setup.carrier_start, "carriers");
+}
+
+RunSetup sample_setup(const LineModel& line, const RunOptions& options, std::uint64_t seed) {
+  RunSetup setup;
+  setup.order = options.order.value_or(line.order.quantity);
+  setup.horizon = options.horizon.value_or(line.horizon.ticks(setup.order));
   for (std::size_t k = 0; k < line.worker_kinds.size(); ++k) {
     setup.worker_start.push_back(place(
         line.worker_kinds[k].start, crew_size(line, options, k, seed),
@@ -109,8 +114,7 @@ RunSetup sample_setup(const LineModel& line, const RunOptions& options, std::uin
                                         start_stations(line, carrier.moved_by),
                                         RandomStream::derive(seed, "carrier_start", k)));
   }
-  refuse_too_many(setup.worker_start, "workers");
-  refuse_too_many(setup.carrier_start, "carriers");
+  check_setup(line, setup);
   return setup;
 }
 

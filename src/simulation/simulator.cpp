@@ -66,7 +66,7 @@ bool Simulator::carrier_fits(const SimulationState& state, const CrewSlot& slot,
     case CarrierWanted::kAny:
       return carrier.berth < 0;
     case CarrierWanted::kBerth:
-      return carrier.berth == slot.berth.value && carrier.coming == 0;
+      return carrier.berth == slot.berth.value && carrier.coming == 0 && carrier.leaving == 0;
   }
   return false;
 }

@@ -15,6 +15,13 @@ struct RecordedDecision {
   TaskId task;
   /// By crew slot of the task; kNobody: not recorded, the fallback allocator chooses.
   std::array<std::int16_t, kMaxCrew> members{};
+  /// By crew slot: who joined late; kNobody: nobody, or not recorded.
+  std::array<std::int16_t, kMaxCrew> joiners{};
+
+  RecordedDecision() {
+    members.fill(Assignment::kNobody);
+    joiners.fill(Assignment::kNobody);
+  }
 };
 
 /// What became of a recorded decision.

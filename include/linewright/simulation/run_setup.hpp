@@ -34,6 +34,10 @@ struct RunSetup {
 [[nodiscard]] RunSetup sample_setup(const LineModel& line, const RunOptions& options,
                                     std::uint64_t seed);
 
+/// Throws ScenarioError when the order, the horizon or the number of workers or carriers is one
+/// that no run of the line can have.
+void check_setup(const LineModel& line, const RunSetup& setup);
+
 /// Names of the stations where workers of the kind may start, each as often as it has slots.
 [[nodiscard]] std::vector<StationId> start_stations(const LineModel& line, WorkerKindId kind);
 

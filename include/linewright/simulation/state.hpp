@@ -76,8 +76,9 @@ struct Execution {
   std::int16_t task = -1;  ///< -1: unused entry
   std::int16_t step = 0;
   std::int16_t open_sequences = 0;
-  std::uint8_t missing = 0;    ///< bit per crew slot: a late joiner not bound yet
-  std::uint8_t gone = 0;       ///< bit per crew slot: released, or parked in a berth
+  std::uint8_t missing = 0;  ///< bit per crew slot: a late joiner not bound yet
+  std::uint8_t joining = 0;  ///< bit per crew slot: bound, but its first sequence has not begun yet
+  std::uint8_t gone = 0;     ///< bit per crew slot: released, or parked in a berth
   std::uint32_t reserved = 0;  ///< bit per Task::reserves entry still held
   std::int32_t serial = 0;     ///< 1, 2, 3, ... in order of the decisions
   Tick started = 0;
