@@ -60,7 +60,7 @@ for source in "${sources[@]}"; do
     cp "${files[@]}" "$seeds"
   fi
 
-  arguments=(-max_total_time="$share" -timeout=10 -rss_limit_mb=2048 -print_final_stats=1
+  arguments=(-max_total_time="$share" -timeout=60 -rss_limit_mb=2048 -print_final_stats=1
     -artifact_prefix="$crashes/")
   if [[ -f "fuzz/$name.dict" ]]; then
     arguments+=(-dict="fuzz/$name.dict")
