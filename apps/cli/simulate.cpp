@@ -36,22 +36,6 @@ struct Outcome {
   std::vector<MilestoneComparison> milestones;
 };
 
-const char* status_name(RunStatus status) {
-  switch (status) {
-    case RunStatus::kFinished:
-      return "finished";
-    case RunStatus::kDeadlock:
-      return "deadlock";
-    case RunStatus::kHorizon:
-      return "horizon";
-    case RunStatus::kDecision:
-    case RunStatus::kJoin:
-    case RunStatus::kRunning:
-      return "interrupted";
-  }
-  return "";
-}
-
 Outcome play(const Simulator& simulator, const SimulateArguments& arguments) {
   Outcome outcome;
   const RunOptions crew = one_crew(arguments.run, simulator.line());
@@ -143,7 +127,7 @@ Json to_json(const Simulator& simulator, const SimulateArguments& arguments,
   Json object{{"finished", finished},
               {"makespan", finished ? Json(outcome.state.now) : Json(nullptr)},
               {"progress", result.progress},
-              {"status", status_name(outcome.state.status)},
+              {"status", run_status_name(outcome.state.status)},
               {"ended_at", outcome.state.now},
               {"line", line.name},
               {"order", outcome.log.setup.order},
@@ -226,7 +210,7 @@ std::string to_text(const Simulator& simulator, const SimulateArguments& argumen
   std::string text = text_table({
       {"line", line.name},
       {"order", fmt::format("{} {}", outcome.log.setup.order, line.order.product)},
-      {"status", status_name(outcome.state.status)},
+      {"status", run_status_name(outcome.state.status)},
       {finished ? "makespan" : "stopped at", fmt::format("{} ticks ({:.1f} min)", outcome.state.now,
                                                          outcome.state.now * line.tick_s / 60.0)},
       {"progress", percent(result.progress)},

@@ -86,22 +86,6 @@ Json hall(const HallMap& map) {
           {"obstacles", std::move(obstacles)}};
 }
 
-const char* status_name(RunStatus status) {
-  switch (status) {
-    case RunStatus::kFinished:
-      return "finished";
-    case RunStatus::kDeadlock:
-      return "deadlock";
-    case RunStatus::kHorizon:
-      return "horizon";
-    case RunStatus::kDecision:
-    case RunStatus::kJoin:
-    case RunStatus::kRunning:
-      return "running";
-  }
-  return "running";
-}
-
 /// Turns the numbers of a log into names.
 class Writer {
  public:
@@ -236,7 +220,7 @@ class Writer {
       case LogEvent::Type::kEnd: {
         const auto status = static_cast<RunStatus>(event.a);
         out["event"] = "end";
-        out["status"] = status_name(status);
+        out["status"] = run_status_name(status);
         out["makespan"] = status == RunStatus::kFinished ? Json(event.tick) : Json(nullptr);
         out["progress"] = progress_;
         break;
@@ -309,6 +293,22 @@ class Writer {
 };
 
 }  // namespace
+
+const char* run_status_name(RunStatus status) {
+  switch (status) {
+    case RunStatus::kFinished:
+      return "finished";
+    case RunStatus::kDeadlock:
+      return "deadlock";
+    case RunStatus::kHorizon:
+      return "horizon";
+    case RunStatus::kDecision:
+    case RunStatus::kJoin:
+    case RunStatus::kRunning:
+      return "running";
+  }
+  return "running";
+}
 
 std::vector<std::string> worker_names(const LineModel& line, const RunSetup& setup) {
   std::vector<std::string> kinds;

@@ -8,6 +8,9 @@
 
 namespace linewright {
 
+/// `finished`, `deadlock`, `horizon`, or `running` for a run that has not ended.
+[[nodiscard]] const char* run_status_name(RunStatus status);
+
 /// Names of the run's workers (`human.0`) by WorkerId.
 [[nodiscard]] std::vector<std::string> worker_names(const LineModel& line, const RunSetup& setup);
 
