@@ -9,6 +9,7 @@
 #include <fstream>
 #include <iterator>
 
+#include "linewright/base/files.hpp"
 #include "linewright/evaluation/event_log_writer.hpp"
 #include "tests/support.hpp"
 

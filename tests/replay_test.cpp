@@ -9,6 +9,7 @@
 #include <filesystem>
 
 #include "linewright/allocation/allocator.hpp"
+#include "linewright/base/files.hpp"
 #include "linewright/evaluation/event_log_writer.hpp"
 #include "linewright/evaluation/recorded_run.hpp"
 #include "tests/support.hpp"

@@ -6,6 +6,7 @@
 
 #include "common.hpp"
 #include "linewright/base/diagnostic.hpp"
+#include "linewright/base/files.hpp"
 #include "linewright/evaluation/event_log_writer.hpp"
 #include "linewright/scenario/load.hpp"
 

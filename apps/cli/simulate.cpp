@@ -6,6 +6,7 @@
 #include "common.hpp"
 #include "linewright/allocation/allocator.hpp"
 #include "linewright/base/diagnostic.hpp"
+#include "linewright/base/files.hpp"
 #include "linewright/evaluation/event_log_writer.hpp"
 #include "linewright/evaluation/gantt.hpp"
 #include "linewright/evaluation/log_document.hpp"

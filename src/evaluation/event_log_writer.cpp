@@ -261,8 +261,10 @@ class Writer {
     out["arrives"] = event.until;
     out["metres"] = travel.leg(from, to).metres;
     if (from != to && !travel.path(from, to).empty()) {
-      for (const Point2 point : travel.path(from, to))
-        out["path"].push_back({point.x_m, point.y_m});
+      for (const WayPoint& point : travel.path(from, to)) {
+        out["path"].push_back(
+            {point.pose.x_m, point.pose.y_m, point.pose.heading_rad, point.share});
+      }
     }
   }
 
@@ -324,30 +326,6 @@ std::vector<std::string> carrier_names(const LineModel& line, const RunSetup& se
 
 std::string event_log_text(const Scenario& scenario, const EventLog& log, double progress) {
   return Writer(scenario, log, progress).text();
-}
-
-void write_file(const std::string& path, const std::string& text) {
-  const auto fail = [&](const std::string& why) {
-    throw ScenarioError(path, fmt::format("cannot be written: {}", why),
-                        "name a file in a folder that you may write to");
-  };
-  std::error_code error;
-  const std::filesystem::path target(path);
-  if (target.has_parent_path()) std::filesystem::create_directories(target.parent_path(), error);
-  if (error) fail(error.message());
-  if (std::filesystem::is_directory(target, error)) fail("it is a folder");
-  const std::string partial = path + ".partial";
-  {
-    std::ofstream out(partial, std::ios::binary);
-    out << text;
-    out.flush();
-    if (!out) {
-      std::filesystem::remove(partial, error);
-      fail("the folder is not writable or the disk is full");
-    }
-  }
-  std::filesystem::rename(partial, target, error);
-  if (error) fail(error.message());
 }
 
 }  // namespace linewright

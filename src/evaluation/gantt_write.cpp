@@ -3,6 +3,7 @@
 #include <filesystem>
 
 #include "linewright/base/diagnostic.hpp"
+#include "linewright/base/files.hpp"
 #include "linewright/evaluation/event_log_writer.hpp"
 #include "linewright/evaluation/gantt.hpp"
 

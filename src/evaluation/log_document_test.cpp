@@ -232,8 +232,8 @@ TEST(LogDocument, RefusesValuesOfTheWrongType) {
       "'worker' of event 'go' must be text");
   expect_complaint(small_log_with(R"("metres":4.61)", R"("metres":-1)"), 3,
                    "'metres' of event 'go' must be");
-  expect_complaint(small_log_with(R"("path":[[1.5,2],)", R"("path":[[1.5],)"), 3,
-                   "must be a list of 2 numbers");
+  expect_complaint(small_log_with(R"("path":[[1.5,2,0,0],)", R"("path":[[1.5],)"), 3,
+                   "must be a list of 4 numbers");
   expect_complaint(small_log_with(R"("human":["human.0"])", R"("human":"human.0")"), 2,
                    "must be a list");
   expect_complaint(small_log_with(R"("status":"finished")", R"("status":"great")"), 23, "'status'");

@@ -77,8 +77,8 @@ LoggedEvent::What read_go(const Source& source) {
   go.metres = source.fields.number("metres", 0.0, 1e9);
   if (source.fields.find("path") == nullptr) return go;
   for (const Json& point : source.fields.list("path")) {
-    const auto xy = numbers_of(point, 2, "a point of 'path'", source.fields.where());
-    go.path.push_back({xy[0], xy[1]});
+    const auto numbers = numbers_of(point, 4, "a point of 'path'", source.fields.where());
+    go.path.push_back({{numbers[0], numbers[1], numbers[2]}, numbers[3]});
   }
   return go;
 }

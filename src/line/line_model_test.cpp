@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <numbers>
+
 namespace linewright {
 namespace {
 
@@ -25,10 +28,21 @@ TEST(TravelTable, KnowsTheWayToItselfAndNoOther) {
   EXPECT_EQ(table.leg(StationId(0), StationId(1)).ticks, -1);
   EXPECT_TRUE(table.path(StationId(0), StationId(1)).empty());
   table.set(StationId(0), StationId(1), {7, 9.5});
-  table.set_path(StationId(0), StationId(1), {{0, 0}, {1, 1}});
+  table.set_path(StationId(0), StationId(1), {{{0, 0, 0}, 0.0}, {{1, 1, 0}, 1.0}});
   EXPECT_EQ(table.leg(StationId(0), StationId(1)).ticks, 7);
   EXPECT_EQ(table.path(StationId(0), StationId(1)).size(), 2U);
   EXPECT_TRUE(table.path(StationId(1), StationId(0)).empty());
+}
+
+TEST(PoseOn, GoesAlongThePathAndTurnsTheShortWay) {
+  constexpr double kPi = std::numbers::pi;
+  const std::vector<WayPoint> path{
+      {{0, 0, 0}, 0.0}, {{4, 0, 0}, 0.5}, {{4, 0, -0.75 * kPi}, 0.6}, {{4, 0, 0.75 * kPi}, 1.0}};
+  EXPECT_DOUBLE_EQ(pose_on(path, -1.0).x_m, 0.0);
+  EXPECT_DOUBLE_EQ(pose_on(path, 0.25).x_m, 2.0);
+  EXPECT_DOUBLE_EQ(pose_on(path, 0.55).heading_rad, -0.375 * kPi);
+  EXPECT_NEAR(std::cos(pose_on(path, 0.8).heading_rad), -1.0, 1e-12);
+  EXPECT_DOUBLE_EQ(pose_on(path, 2.0).heading_rad, 0.75 * kPi);
 }
 
 }  // namespace

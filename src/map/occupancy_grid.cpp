@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "row_spans.hpp"
+
 namespace linewright {
 namespace {
 
@@ -18,58 +20,80 @@ std::int32_t cells_along(double length_m, double cell_m) {
   return std::max(1, to_index(std::ceil(length_m / cell_m - kSlack)));
 }
 
-double gap(double value, double low, double high) {
-  return std::max({low - value, 0.0, value - high});
-}
-
 }  // namespace
 
-double distance_to_m(Point2 point, const Rectangle& r) {
-  return std::hypot(gap(point.x_m, r.x0_m, r.x1_m), gap(point.y_m, r.y0_m, r.y1_m));
+GridFrame GridFrame::covering(const Rectangle& bounds, double cell_m) {
+  return {.origin = {bounds.x0_m, bounds.y0_m, 0.0},
+          .cell_m = cell_m,
+          .columns = cells_along(bounds.x1_m - bounds.x0_m, cell_m),
+          .rows = cells_along(bounds.y1_m - bounds.y0_m, cell_m)};
 }
 
-OccupancyGrid::OccupancyGrid(const Rectangle& bounds, double cell_m)
-    : bounds_(bounds),
-      cell_m_(cell_m),
-      columns_(cells_along(bounds.x1_m - bounds.x0_m, cell_m)),
-      rows_(cells_along(bounds.y1_m - bounds.y0_m, cell_m)),
-      occupied_(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_), 0) {}
+Point2 GridFrame::to_grid(Point2 p) const {
+  const double dx = p.x_m - origin.x_m;
+  const double dy = p.y_m - origin.y_m;
+  if (origin.heading_rad == 0.0) return {dx, dy};
+  const double c = std::cos(origin.heading_rad);
+  const double s = std::sin(origin.heading_rad);
+  return {c * dx + s * dy, c * dy - s * dx};
+}
 
-void OccupancyGrid::add_obstacle(const Rectangle& obstacle, double clearance_m) {
-  const double reach = std::max(clearance_m, cell_m_);
-  const Cell low = cell_at({obstacle.x0_m - reach, obstacle.y0_m - reach});
-  const Cell high = cell_at({obstacle.x1_m + reach, obstacle.y1_m + reach});
-  const double half = cell_m_ / 2;
-  // Touching is not covering: an obstacle that ends on a cell's edge leaves the cell free.
-  constexpr double kSlack = 1e-9;
-  for (std::int32_t row = std::max(0, low.row); row <= std::min(high.row, rows_ - 1); ++row) {
-    for (std::int32_t column = std::max(0, low.column);
-         column <= std::min(high.column, columns_ - 1); ++column) {
-      const Point2 middle = center({column, row});
-      const bool covered = gap(middle.x_m, obstacle.x0_m, obstacle.x1_m) < half - kSlack &&
-                           gap(middle.y_m, obstacle.y0_m, obstacle.y1_m) < half - kSlack;
-      const bool close = distance_to_m(middle, obstacle) < clearance_m - kSlack;
-      if (covered || close) occupied_[index({column, row})] = 1;
-    }
+Pose2 GridFrame::to_grid(Pose2 p) const {
+  const Point2 point = to_grid(p.point());
+  return {point.x_m, point.y_m, p.heading_rad - origin.heading_rad};
+}
+
+Point2 GridFrame::to_map(Point2 p) const {
+  if (origin.heading_rad == 0.0) return {origin.x_m + p.x_m, origin.y_m + p.y_m};
+  const double c = std::cos(origin.heading_rad);
+  const double s = std::sin(origin.heading_rad);
+  return {origin.x_m + c * p.x_m - s * p.y_m, origin.y_m + s * p.x_m + c * p.y_m};
+}
+
+Pose2 GridFrame::to_map(Pose2 p) const {
+  const Point2 point = to_map(p.point());
+  return {point.x_m, point.y_m, p.heading_rad + origin.heading_rad};
+}
+
+Cell GridFrame::cell(std::size_t index) const {
+  const auto width = static_cast<std::size_t>(columns);
+  return {static_cast<std::int32_t>(index % width), static_cast<std::int32_t>(index / width)};
+}
+
+Cell GridFrame::cell_at(Point2 in_map) const {
+  const Point2 p = to_grid(in_map);
+  return {to_index(p.x_m / cell_m), to_index(p.y_m / cell_m)};
+}
+
+Point2 GridFrame::center(Cell cell) const {
+  return to_map(Point2{(cell.column + 0.5) * cell_m, (cell.row + 0.5) * cell_m});
+}
+
+OccupancyGrid::OccupancyGrid(const GridFrame& frame)
+    : frame_(frame), cells_(frame.size(), CellState::kFree) {}
+
+void OccupancyGrid::add_obstacle(const Polygon& obstacle) {
+  Polygon in_cells;
+  in_cells.reserve(obstacle.size());
+  for (const Point2 corner : obstacle) {
+    const Point2 p = frame_.to_grid(corner);
+    in_cells.push_back({p.x_m / frame_.cell_m, p.y_m / frame_.cell_m});
+  }
+  RowSpans spans(in_cells, is_convex(in_cells));
+  const std::int32_t last_row = std::min(spans.last_row(), frame_.rows - 1);
+  for (std::int32_t row = std::max(0, spans.first_row()); row <= last_row; ++row) {
+    spans.any_in_row(row, [&](ColumnSpan span) {
+      const std::int32_t last = std::min(span.last, frame_.columns - 1);
+      for (std::int32_t column = std::max(0, span.first); column <= last; ++column) {
+        set({column, row}, CellState::kOccupied);
+      }
+      return false;
+    });
   }
 }
 
-bool OccupancyGrid::contains(Cell cell) const {
-  return cell.column >= 0 && cell.column < columns_ && cell.row >= 0 && cell.row < rows_;
-}
-
-Cell OccupancyGrid::cell_at(Point2 point) const {
-  return {to_index((point.x_m - bounds_.x0_m) / cell_m_),
-          to_index((point.y_m - bounds_.y0_m) / cell_m_)};
-}
-
-Point2 OccupancyGrid::center(Cell cell) const {
-  return {bounds_.x0_m + (cell.column + 0.5) * cell_m_, bounds_.y0_m + (cell.row + 0.5) * cell_m_};
-}
-
-Cell OccupancyGrid::cell(std::size_t index) const {
-  const auto columns = static_cast<std::size_t>(columns_);
-  return {static_cast<std::int32_t>(index % columns), static_cast<std::int32_t>(index / columns)};
+std::size_t OccupancyGrid::count(CellState state) const {
+  return static_cast<std::size_t>(std::count(cells_.begin(), cells_.end(), state));
 }
 
 }  // namespace linewright

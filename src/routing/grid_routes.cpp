@@ -52,11 +52,11 @@ struct End {
 /// what is pulled tight; another one is joined to the cell that stands for it.
 GridRoute between(const OccupancyGrid& grid, const std::vector<Cell>& way, const End& from,
                   const End& to) {
-  const bool start_inside = *from.cell == grid.cell_at(from.point);
-  const bool goal_inside = *to.cell == grid.cell_at(to.point);
+  const bool start_inside = *from.cell == grid.frame().cell_at(from.point);
+  const bool goal_inside = *to.cell == grid.frame().cell_at(to.point);
   std::vector<Point2> points;
   if (start_inside) points.push_back(from.point);
-  for (const Cell cell : way) points.push_back(grid.center(cell));
+  for (const Cell cell : way) points.push_back(grid.frame().center(cell));
   if (goal_inside) points.push_back(to.point);
   GridRoute route;
   route.status = RouteStatus::kFound;
@@ -96,8 +96,8 @@ std::vector<Cell> cells_of(const std::vector<End>& ends, std::size_t first) {
 }  // namespace
 
 std::optional<Cell> free_cell_near(const OccupancyGrid& grid, Point2 point, double snap_m) {
-  const Cell own = grid.cell_at(point);
-  if (!grid.occupied(own)) return own;
+  const Cell own = grid.frame().cell_at(point);
+  if (!grid.blocked(own)) return own;
   const auto reach = static_cast<std::int32_t>(
       std::min(std::ceil(snap_m / grid.cell_m()) + 1.0,
                static_cast<double>(std::max(grid.columns(), grid.rows()))));
@@ -108,9 +108,9 @@ std::optional<Cell> free_cell_near(const OccupancyGrid& grid, Point2 point, doub
   double best_m = snap_m;
   for (std::int32_t row = low.row; row <= high.row; ++row) {
     for (std::int32_t column = low.column; column <= high.column; ++column) {
-      const double metres = distance_m(grid.center({column, row}), point);
+      const double metres = distance_m(grid.frame().center({column, row}), point);
       const bool nearer = best ? metres < best_m : metres <= best_m;
-      if (!nearer || grid.occupied({column, row})) continue;
+      if (!nearer || grid.blocked({column, row})) continue;
       best = Cell{column, row};
       best_m = metres;
     }

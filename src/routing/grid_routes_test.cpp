@@ -13,7 +13,7 @@ namespace {
 
 /// Random rectangles in a hall of 8 m x 6 m.
 OccupancyGrid random_grid(RandomStream& random, double cell_m) {
-  OccupancyGrid grid({0.0, 8.0, 0.0, 6.0}, cell_m);
+  OccupancyGrid grid(GridFrame::covering({0.0, 8.0, 0.0, 6.0}, cell_m));
   const int obstacles = random.between(0, 8);
   for (int i = 0; i < obstacles; ++i) {
     const double x = 8 * random.uniform();
@@ -30,21 +30,21 @@ Cell random_cell(const OccupancyGrid& grid, RandomStream& random) {
 /// Costs from `start` by relaxing every edge until nothing changes: slow, and plainly right.
 std::vector<double> reference_costs(const OccupancyGrid& grid, Cell start) {
   std::vector<double> cost(grid.size(), std::numeric_limits<double>::infinity());
-  cost[grid.index(start)] = 0.0;
+  cost[grid.frame().index(start)] = 0.0;
   for (bool changed = true; changed;) {
     changed = false;
     for (std::size_t i = 0; i < grid.size(); ++i) {
-      const Cell c = grid.cell(i);
-      if (grid.occupied(c)) continue;
+      const Cell c = grid.frame().cell(i);
+      if (grid.blocked(c)) continue;
       for (std::int32_t dx = -1; dx <= 1; ++dx) {
         for (std::int32_t dy = -1; dy <= 1; ++dy) {
           const Cell n{c.column + dx, c.row + dy};
-          if ((dx == 0 && dy == 0) || grid.occupied(n)) continue;
-          if (grid.occupied({c.column + dx, c.row}) || grid.occupied({c.column, c.row + dy}))
+          if ((dx == 0 && dy == 0) || grid.blocked(n)) continue;
+          if (grid.blocked({c.column + dx, c.row}) || grid.blocked({c.column, c.row + dy}))
             continue;
           const double through = cost[i] + std::hypot(dx, dy);
-          if (through < cost[grid.index(n)] - 1e-9) {
-            cost[grid.index(n)] = through;
+          if (through < cost[grid.frame().index(n)] - 1e-9) {
+            cost[grid.frame().index(n)] = through;
             changed = true;
           }
         }
@@ -65,14 +65,14 @@ TEST(GridSearch, FindsTheCostsOfThePlainReference) {
   for (int round = 0; round < 20; ++round) {
     const OccupancyGrid grid = random_grid(random, 0.5);
     const Cell start = random_cell(grid, random);
-    if (grid.occupied(start)) continue;
+    if (grid.blocked(start)) continue;
     std::vector<Cell> goals;
-    for (std::size_t i = 0; i < grid.size(); ++i) goals.push_back(grid.cell(i));
+    for (std::size_t i = 0; i < grid.size(); ++i) goals.push_back(grid.frame().cell(i));
     GridSearch search(grid);
     search.run(start, goals);
     const std::vector<double> expected = reference_costs(grid, start);
     for (const Cell goal : goals) {
-      const double cost = expected[grid.index(goal)];
+      const double cost = expected[grid.frame().index(goal)];
       if (std::isinf(cost)) {
         ASSERT_LT(search.cost(goal), 0.0);
       } else {
@@ -84,7 +84,7 @@ TEST(GridSearch, FindsTheCostsOfThePlainReference) {
 
 TEST(GridSearch, StoppingEarlyDoesNotChangeCosts) {
   RandomStream random(8);
-  const OccupancyGrid grid({0.0, 8.0, 0.0, 6.0}, 0.25);
+  const OccupancyGrid grid(GridFrame::covering({0.0, 8.0, 0.0, 6.0}, 0.25));
   GridSearch search(grid);
   for (int round = 0; round < 50; ++round) {
     const Cell start = random_cell(grid, random);
@@ -120,7 +120,7 @@ TEST(GridRoutes, StayInFreeCellsAreSymmetricAndNoLongerThanTheCells) {
     std::vector<Point2> points;
     while (points.size() < 6) {
       const Point2 point{8 * random.uniform(), 6 * random.uniform()};
-      if (!grid.occupied(grid.cell_at(point))) points.push_back(point);
+      if (!grid.blocked(grid.frame().cell_at(point))) points.push_back(point);
     }
     const auto routes = grid_routes(grid, points);
     GridSearch search(grid);
@@ -130,8 +130,8 @@ TEST(GridRoutes, StayInFreeCellsAreSymmetricAndNoLongerThanTheCells) {
         expect_sound(grid, routes[a][b], points[a], points[b]);
         ASSERT_EQ(routes[a][b].status, routes[b][a].status);
         ASSERT_NEAR(routes[a][b].metres, routes[b][a].metres, 1e-9);
-        search.run(grid.cell_at(points[a]), {grid.cell_at(points[b])});
-        const double cells = search.cost(grid.cell_at(points[b]));
+        search.run(grid.frame().cell_at(points[a]), {grid.frame().cell_at(points[b])});
+        const double cells = search.cost(grid.frame().cell_at(points[b]));
         ASSERT_EQ(cells >= 0.0, routes[a][b].status == RouteStatus::kFound);
         // The exact ends are less than one cell diagonal from their cells' centres.
         ASSERT_LE(routes[a][b].metres, (std::max(cells, 0.0) + 2.0) * grid.cell_m());
@@ -141,14 +141,14 @@ TEST(GridRoutes, StayInFreeCellsAreSymmetricAndNoLongerThanTheCells) {
 }
 
 TEST(GridRoutes, AreStraightWhereNothingIsInTheWay) {
-  const OccupancyGrid grid({0.0, 10.0, 0.0, 10.0}, 0.25);
+  const OccupancyGrid grid(GridFrame::covering({0.0, 10.0, 0.0, 10.0}, 0.25));
   const auto routes = grid_routes(grid, {{0.3, 0.4}, {9.1, 5.7}});
   EXPECT_EQ(routes[0][1].path.size(), 2U);
   EXPECT_DOUBLE_EQ(routes[0][1].metres, distance_m({0.3, 0.4}, {9.1, 5.7}));
 }
 
 TEST(GridRoutes, GoAroundAWall) {
-  OccupancyGrid grid({0.0, 10.0, 0.0, 10.0}, 0.1);
+  OccupancyGrid grid(GridFrame::covering({0.0, 10.0, 0.0, 10.0}, 0.1));
   grid.add_obstacle({4.0, 6.0, 0.0, 8.0}, 0.3);
   const auto routes = grid_routes(grid, {{2.0, 2.0}, {8.0, 2.0}});
   // The shortest way of a disc: a tangent to each corner's circle, two arcs, and the wall's top.
@@ -161,7 +161,7 @@ TEST(GridRoutes, GoAroundAWall) {
 }
 
 TEST(GridRoutes, AisleNarrowerThanTheWorkerIsUnreachable) {
-  OccupancyGrid grid({0.0, 10.0, 0.0, 4.0}, 0.1);
+  OccupancyGrid grid(GridFrame::covering({0.0, 10.0, 0.0, 4.0}, 0.1));
   grid.add_obstacle({4.0, 6.0, 0.0, 1.7}, 0.4);
   grid.add_obstacle({4.0, 6.0, 2.3, 4.0}, 0.4);
   const auto routes = grid_routes(grid, {{1.0, 2.0}, {9.0, 2.0}});
@@ -170,7 +170,7 @@ TEST(GridRoutes, AisleNarrowerThanTheWorkerIsUnreachable) {
 }
 
 TEST(GridRoutes, NeverPassBetweenTwoCellsThatTouchAtACorner) {
-  OccupancyGrid grid({0.0, 2.0, 0.0, 2.0}, 1.0);
+  OccupancyGrid grid(GridFrame::covering({0.0, 2.0, 0.0, 2.0}, 1.0));
   grid.add_obstacle({0.0, 1.0, 1.0, 2.0}, 0.0);
   grid.add_obstacle({1.0, 2.0, 0.0, 1.0}, 0.0);
   const auto routes = grid_routes(grid, {{0.5, 0.5}, {1.5, 1.5}}, {.snap_m = 0.1});
@@ -178,19 +178,19 @@ TEST(GridRoutes, NeverPassBetweenTwoCellsThatTouchAtACorner) {
 }
 
 TEST(GridRoutes, PointInAnObstaclesMarginIsReachedThroughTheNearestFreeCell) {
-  OccupancyGrid grid({0.0, 10.0, 0.0, 4.0}, 0.1);
+  OccupancyGrid grid(GridFrame::covering({0.0, 10.0, 0.0, 4.0}, 0.1));
   grid.add_obstacle({4.0, 6.0, 0.0, 2.0}, 0.5);
   const Point2 at_the_table{5.0, 2.1};
   const auto routes = grid_routes(grid, {{1.0, 3.0}, at_the_table});
   ASSERT_EQ(routes[0][1].status, RouteStatus::kFound);
   EXPECT_DOUBLE_EQ(routes[0][1].path.back().y_m, at_the_table.y_m);
   const Cell cell = *free_cell_near(grid, at_the_table, 1.5);
-  EXPECT_NEAR(grid.center(cell).x_m, 5.0, 0.06);
-  EXPECT_NEAR(grid.center(cell).y_m, 2.55, 0.06);
+  EXPECT_NEAR(grid.frame().center(cell).x_m, 5.0, 0.06);
+  EXPECT_NEAR(grid.frame().center(cell).y_m, 2.55, 0.06);
 }
 
 TEST(GridRoutes, SayWhichEndIsOccupied) {
-  OccupancyGrid grid({0.0, 10.0, 0.0, 10.0}, 0.25);
+  OccupancyGrid grid(GridFrame::covering({0.0, 10.0, 0.0, 10.0}, 0.25));
   grid.add_obstacle({5.0, 10.0, 0.0, 10.0}, 0.0);
   const auto routes = grid_routes(grid, {{1.0, 1.0}, {9.0, 9.0}});
   EXPECT_EQ(routes[0][1].status, RouteStatus::kGoalOccupied);
@@ -199,7 +199,7 @@ TEST(GridRoutes, SayWhichEndIsOccupied) {
 }
 
 TEST(GridRoutes, PointsInOneCellAreJoinedDirectly) {
-  const OccupancyGrid grid({0.0, 2.0, 0.0, 2.0}, 1.0);
+  const OccupancyGrid grid(GridFrame::covering({0.0, 2.0, 0.0, 2.0}, 1.0));
   const auto routes = grid_routes(grid, {{0.1, 0.1}, {0.9, 0.9}});
   EXPECT_EQ(routes[0][1].path.size(), 2U);
   EXPECT_NEAR(routes[0][1].metres, std::hypot(0.8, 0.8), 1e-12);
@@ -217,7 +217,7 @@ TEST(LineOfSight, AgreesWithSamplingTheSegment) {
     for (int i = 0; i <= 4000; ++i) {
       const double t = i / 4000.0;
       const Point2 p{a.x_m + t * (b.x_m - a.x_m), a.y_m + t * (b.y_m - a.y_m)};
-      sampled_free = sampled_free && !grid.occupied(grid.cell_at(p));
+      sampled_free = sampled_free && !grid.blocked(grid.frame().cell_at(p));
     }
     // Sampling may miss the tip of a cell, so it can only be too optimistic.
     ASSERT_TRUE(sampled_free || !line_of_sight(grid, a, b));

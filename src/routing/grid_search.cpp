@@ -20,17 +20,17 @@ GridSearch::GridSearch(const OccupancyGrid& grid)
   for (std::size_t i = 0; i < kSteps.size(); ++i) {
     offset_[i] = std::int64_t{kSteps[i].row} * grid.columns() + kSteps[i].column;
   }
-  for (std::size_t i = 0; i < steps_.size(); ++i) steps_[i] = allowed_steps(grid.cell(i));
+  for (std::size_t i = 0; i < steps_.size(); ++i) steps_[i] = allowed_steps(grid.frame().cell(i));
 }
 
 std::uint8_t GridSearch::allowed_steps(Cell cell) const {
-  if (grid_.occupied(cell)) return 0;
+  if (grid_.blocked(cell)) return 0;
   unsigned steps = 0;
   for (std::size_t i = 0; i < kSteps.size(); ++i) {
     const Cell step = kSteps[i];
-    const bool free = !grid_.occupied({cell.column + step.column, cell.row + step.row}) &&
-                      !grid_.occupied({cell.column + step.column, cell.row}) &&
-                      !grid_.occupied({cell.column, cell.row + step.row});
+    const bool free = !grid_.blocked({cell.column + step.column, cell.row + step.row}) &&
+                      !grid_.blocked({cell.column + step.column, cell.row}) &&
+                      !grid_.blocked({cell.column, cell.row + step.row});
     if (free) steps |= 1U << i;
   }
   return static_cast<std::uint8_t>(steps);
@@ -49,7 +49,7 @@ bool GridSearch::all_settled(const std::vector<Cell>& goals) const {
 
 void GridSearch::run(Cell start, const std::vector<Cell>& goals) {
   clear();
-  const auto first = static_cast<std::uint32_t>(grid_.index(start));
+  const auto first = static_cast<std::uint32_t>(grid_.frame().index(start));
   reach(first, 0.0, first);
   std::size_t empty_lists = 0;
   for (std::size_t whole = 0; empty_lists < open_.size(); ++whole) {
@@ -85,16 +85,16 @@ void GridSearch::reach(std::uint32_t index, double cost, std::uint32_t parent) {
 }
 
 double GridSearch::cost(Cell cell) const {
-  const double cost = cost_[grid_.index(cell)];
+  const double cost = cost_[grid_.frame().index(cell)];
   return cost < settled_below_ ? cost : -1.0;
 }
 
 std::vector<Cell> GridSearch::way_to(Cell goal) const {
   std::vector<Cell> way = {goal};
-  auto index = static_cast<std::uint32_t>(grid_.index(goal));
+  auto index = static_cast<std::uint32_t>(grid_.frame().index(goal));
   while (parent_[index] != index) {
     index = parent_[index];
-    way.push_back(grid_.cell(index));
+    way.push_back(grid_.frame().cell(index));
   }
   std::reverse(way.begin(), way.end());
   return way;

@@ -25,12 +25,12 @@ struct Axis {
 }  // namespace
 
 bool line_of_sight(const OccupancyGrid& grid, Point2 from, Point2 to) {
-  const Cell last = grid.cell_at(to);
-  Cell cell = grid.cell_at(from);
-  if (grid.occupied(cell) || grid.occupied(last)) return false;
+  const Cell last = grid.frame().cell_at(to);
+  Cell cell = grid.frame().cell_at(from);
+  if (grid.blocked(cell) || grid.blocked(last)) return false;
   // In units of cells, relative to a cell centre, so that the fractions are exact enough
   // everywhere.
-  const Point2 origin = grid.center({0, 0});
+  const Point2 origin = grid.frame().center({0, 0});
   const auto in_cells = [&](double value, double zero) {
     return (value - zero) / grid.cell_m() + 0.5;
   };
@@ -43,8 +43,8 @@ bool line_of_sight(const OccupancyGrid& grid, Point2 from, Point2 to) {
   const std::int32_t most = std::abs(last.column - cell.column) + std::abs(last.row - cell.row);
   for (std::int32_t crossings = 0; crossings < most && cell != last; ++crossings) {
     const bool corner = std::abs(columns.next - rows.next) < kCorner;
-    if (corner && (grid.occupied({cell.column + columns.step, cell.row}) ||
-                   grid.occupied({cell.column, cell.row + rows.step}))) {
+    if (corner && (grid.blocked({cell.column + columns.step, cell.row}) ||
+                   grid.blocked({cell.column, cell.row + rows.step}))) {
       return false;
     }
     const bool cross_column = corner || columns.next < rows.next;
@@ -57,7 +57,7 @@ bool line_of_sight(const OccupancyGrid& grid, Point2 from, Point2 to) {
       cell.row += rows.step;
       rows.next += rows.stride;
     }
-    if (grid.occupied(cell)) return false;
+    if (grid.blocked(cell)) return false;
   }
   return true;
 }

@@ -35,19 +35,21 @@ double work_of(const HallMap& map, double radius_m, std::size_t points) {
 }
 
 OccupancyGrid grid_of(const HallMap& map, double radius_m) {
-  OccupancyGrid grid(bounds_of(map), map.cell_m);
-  for (const Obstacle& obstacle : map.obstacles)
-    grid.add_obstacle(rectangle_of(obstacle), radius_m);
+  OccupancyGrid grid(GridFrame::covering(bounds_of(map), map.cell_m));
+  for (const Obstacle& o : map.obstacles) {
+    grid.add_obstacle(corners_of(
+        {o.x0_m - radius_m, o.x1_m + radius_m, o.y0_m - radius_m, o.y1_m + radius_m}));
+  }
   return grid;
 }
 
 /// "obstacle 'table'", the one nearest to the point, or the edge of the map.
 std::string culprit(const HallMap& map, Point2 point) {
-  if (distance_to_m(point, bounds_of(map)) > 0.0 || map.obstacles.empty())
+  if (distance_to_m(point, corners_of(bounds_of(map))) > 0.0 || map.obstacles.empty())
     return "the edge of the map";
   const auto nearest = std::min_element(
       map.obstacles.begin(), map.obstacles.end(), [&](const Obstacle& a, const Obstacle& b) {
-        return distance_to_m(point, rectangle_of(a)) < distance_to_m(point, rectangle_of(b));
+        return distance_to_m(point, corners_of(rectangle_of(a))) < distance_to_m(point, corners_of(rectangle_of(b)));
       });
   return "obstacle " + in_quotes(nearest->name);
 }
@@ -113,7 +115,13 @@ void fill_from_grid(BuildState& state, std::size_t kind, SourceMark mark) {
       const auto ticks = ticks_for(state, kind, route.metres, mark);
       if (!ticks) return;
       table.set(stops.stations[a], stops.stations[b], {*ticks, route.metres});
-      table.set_path(stops.stations[a], stops.stations[b], std::move(route.path));
+      std::vector<WayPoint> way;
+      double metres = 0.0;
+      for (std::size_t i = 0; i < route.path.size(); ++i) {
+        if (i > 0) metres += distance_m(route.path[i - 1], route.path[i]);
+        way.push_back({{route.path[i].x_m, route.path[i].y_m, 0.0}, metres / route.metres});
+      }
+      table.set_path(stops.stations[a], stops.stations[b], std::move(way));
     }
   }
 }

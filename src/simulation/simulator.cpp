@@ -124,23 +124,13 @@ Pose2 Simulator::worker_pose(const SimulationState& state, WorkerId id, Tick at)
   const Pose2 from = pose(worker.from);
   if (at <= worker.depart) return from;
 
-  std::vector<Point2> way = line_->travel[kind].path(StationId(std::int32_t{worker.from}),
-                                                     StationId(std::int32_t{worker.station}));
-  if (way.size() < 2) way = {from.point(), to.point()};
-  double length = 0.0;
-  for (std::size_t i = 1; i < way.size(); ++i) length += distance_m(way[i - 1], way[i]);
-  double gone = length * (at - worker.depart) / (worker.arrive - worker.depart);
-  for (std::size_t i = 1; i < way.size(); ++i) {
-    const double part = distance_m(way[i - 1], way[i]);
-    if (gone <= part && part > 0.0) {
-      const double share = gone / part;
-      return {way[i - 1].x_m + share * (way[i].x_m - way[i - 1].x_m),
-              way[i - 1].y_m + share * (way[i].y_m - way[i - 1].y_m),
-              std::atan2(way[i].y_m - way[i - 1].y_m, way[i].x_m - way[i - 1].x_m)};
-    }
-    gone -= part;
-  }
-  return to;
+  const std::vector<WayPoint>& path = line_->travel[kind].path(
+      StationId(std::int32_t{worker.from}), StationId(std::int32_t{worker.station}));
+  const double share =
+      static_cast<double>(at - worker.depart) / static_cast<double>(worker.arrive - worker.depart);
+  if (!path.empty()) return pose_on(path, share);
+  const double heading = std::atan2(to.y_m - from.y_m, to.x_m - from.x_m);
+  return {from.x_m + share * (to.x_m - from.x_m), from.y_m + share * (to.y_m - from.y_m), heading};
 }
 
 Leg Simulator::route_from_worker(const SimulationState& state, WorkerId id, StationId to) const {

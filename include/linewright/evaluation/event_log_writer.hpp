@@ -22,8 +22,4 @@ namespace linewright {
 [[nodiscard]] std::string event_log_text(const Scenario& scenario, const EventLog& log,
                                          double progress);
 
-/// Writes `text` to `path`, creating its folder: first beside it, then renamed, so that a reader
-/// never sees half a file. Throws ScenarioError naming the file and the reason.
-void write_file(const std::string& path, const std::string& text);
-
 }  // namespace linewright

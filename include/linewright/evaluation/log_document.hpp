@@ -13,6 +13,7 @@
 #include "linewright/base/geometry.hpp"
 #include "linewright/base/id.hpp"
 #include "linewright/base/tick.hpp"
+#include "linewright/line/workers.hpp"
 #include "linewright/simulation/state.hpp"
 
 // An event log (docs/formats/event_log.md) read back, without the scenario it came from. Ids index
@@ -130,7 +131,7 @@ struct LoggedGo {
   Tick departs = 0;
   Tick arrives = 0;
   double metres = 0.0;
-  std::vector<Point2> path;  ///< empty: the straight line
+  std::vector<WayPoint> path;  ///< empty: the straight line
 };
 struct LoggedPickUp {
   std::int32_t n = 0;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
@@ -9,6 +10,7 @@
 #include "linewright/line/condition.hpp"
 #include "linewright/line/resources.hpp"
 #include "linewright/line/task.hpp"
+#include "linewright/line/way_finder.hpp"
 #include "linewright/line/workers.hpp"
 
 namespace linewright {
@@ -46,7 +48,9 @@ struct LineModel {
   std::vector<WorkerKind> worker_kinds;
   std::vector<CarrierKind> carrier_kinds;
   std::vector<Station> stations;
-  std::vector<TravelTable> travel;  ///< by worker kind
+  std::vector<TravelTable> travel;  ///< by worker kind, all zones open
+  std::vector<Zone> zones;          ///< at most kMostZones; any: `ways` is there
+  std::shared_ptr<const WayFinder> ways;  ///< none: the ways are measured, or straight lines
   std::vector<Place> places;
   std::vector<Machine> machines;
   std::vector<Operation> operations;  ///< file order = order of starting at equal time

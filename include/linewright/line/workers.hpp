@@ -24,9 +24,15 @@ struct WorkerKind {
   double radius_m = 0.3;            ///< of the circle around it
   std::vector<double> footprint_m;  ///< {length, width}, or empty: a circle of radius_m
   double turning_radius_m = 0.0;
+  double turn_rate_radps = 0.0;       ///< turning on the spot; 0: takes no time
+  double acceleration_mps2 = 0.0;     ///< from and to standstill; 0: full speed at once
   Tick min_leg_ticks = 0;        ///< a `go` takes at least this long, also to where it stands
   std::vector<StationId> start;  ///< worker i starts at start[i]; empty: drawn among the stations
                                  ///< of this kind without replacement (Station::slots each)
+  /// Where a worker without a task goes (the nearest of these, ties: the first one), so that the
+  /// next task finds it well placed; it stays free on the way. Empty: it stays where it is.
+  std::vector<StationId> rest;
+  Tick rest_after = 0;  ///< ticks without a task before it leaves for there
 };
 
 /// A kind of thing that workers move and that holds up to `capacity` items of one material.
@@ -54,6 +60,13 @@ struct Leg {
   double metres = 0.0;
 };
 
+/// A pose on a way, and when it is passed: as a share of the travel time, 0 (departure) ... 1
+/// (arrival).
+struct WayPoint {
+  Pose2 pose;
+  double share = 0.0;
+};
+
 /// The way between every ordered pair of stations for one kind of worker, and the line it follows.
 class TravelTable {
  public:
@@ -69,14 +82,15 @@ class TravelTable {
     legs_[from.index() * stations_ + to.index()] = leg;
   }
 
-  /// The polyline of the leg, both ends included; empty: the straight line between the two poses.
-  [[nodiscard]] const std::vector<Point2>& path(StationId from, StationId to) const;
-  void set_path(StationId from, StationId to, std::vector<Point2> path);
+  /// The line that the leg follows, both ends included, shares ascending; empty: the straight line
+  /// between the two poses.
+  [[nodiscard]] const std::vector<WayPoint>& path(StationId from, StationId to) const;
+  void set_path(StationId from, StationId to, std::vector<WayPoint> path);
 
  private:
   std::size_t stations_ = 0;
   std::vector<Leg> legs_;
-  std::vector<std::vector<Point2>> paths_;  ///< empty unless a path was set
+  std::vector<std::vector<WayPoint>> paths_;  ///< empty unless a path was set
 };
 
 }  // namespace linewright

@@ -5,68 +5,84 @@
 #include <vector>
 
 #include "linewright/base/geometry.hpp"
+#include "linewright/map/polygon.hpp"
 
 namespace linewright {
 
-/// An axis-parallel rectangle in the frame `map`, metres. x0 < x1 and y0 < y1.
-struct Rectangle {
-  double x0_m = 0.0;
-  double x1_m = 0.0;
-  double y0_m = 0.0;
-  double y1_m = 0.0;
-};
-
-/// Distance from the point to the rectangle in metres; 0 inside of it.
-[[nodiscard]] double distance_to_m(Point2 point, const Rectangle& rectangle);
-
-/// One cell of a grid: column and row, both counted from the corner with the smallest coordinates.
+/// One cell of a grid: column and row, both counted from the grid's origin.
 struct Cell {
   std::int32_t column = 0;
   std::int32_t row = 0;
   friend bool operator==(Cell, Cell) = default;
 };
 
-/// A hall cut into square cells, each free or occupied. Free for one kind of worker: its centre can
-/// stand there. Everything outside of the bounds is occupied.
-class OccupancyGrid {
- public:
-  /// All cells free. Cells cover the bounds from their lower left corner on; the last column and
-  /// row may stick out. `cell_m` > 0. The memory is one byte per cell: keep the number of cells in
-  /// bounds.
-  OccupancyGrid(const Rectangle& bounds, double cell_m);
+/// Where a grid lies in the frame `map` (ROS map_server): `origin` is the pose of the lower left
+/// corner of cell (0, 0), columns run along its x axis and rows along its y axis.
+struct GridFrame {
+  Pose2 origin;
+  double cell_m = 0.25;  ///< > 0
+  std::int32_t columns = 1;
+  std::int32_t rows = 1;
 
-  /// Occupies the cells that the obstacle covers a part of, and those whose centre is closer than
-  /// `clearance_m` to it (the radius of a worker).
-  void add_obstacle(const Rectangle& obstacle, double clearance_m);
+  /// A frame without yaw that covers the rectangle; its last column and row may stick out.
+  [[nodiscard]] static GridFrame covering(const Rectangle& bounds, double cell_m);
 
-  [[nodiscard]] std::int32_t columns() const { return columns_; }
-  [[nodiscard]] std::int32_t rows() const { return rows_; }
-  [[nodiscard]] double cell_m() const { return cell_m_; }
-  [[nodiscard]] std::size_t size() const { return occupied_.size(); }
+  /// From the frame `map` to metres along the grid's own axes, and back.
+  [[nodiscard]] Point2 to_grid(Point2 in_map) const;
+  [[nodiscard]] Pose2 to_grid(Pose2 in_map) const;
+  [[nodiscard]] Point2 to_map(Point2 in_grid) const;
+  [[nodiscard]] Pose2 to_map(Pose2 in_grid) const;
 
-  [[nodiscard]] bool contains(Cell cell) const;
-  /// True outside of the grid, too.
-  [[nodiscard]] bool occupied(Cell cell) const {
-    return !contains(cell) || occupied_[index(cell)] != 0;
+  [[nodiscard]] bool contains(Cell cell) const {
+    return cell.column >= 0 && cell.column < columns && cell.row >= 0 && cell.row < rows;
   }
-
-  /// The cell around a point, which may lie outside of the grid. The coordinates must be finite.
-  [[nodiscard]] Cell cell_at(Point2 point) const;
-  [[nodiscard]] Point2 center(Cell cell) const;
-
-  /// Row by row; `cell` must be contained.
+  [[nodiscard]] std::size_t size() const {
+    return static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows);
+  }
+  /// Row by row; the cell must be contained.
   [[nodiscard]] std::size_t index(Cell cell) const {
-    return static_cast<std::size_t>(cell.row) * static_cast<std::size_t>(columns_) +
+    return static_cast<std::size_t>(cell.row) * static_cast<std::size_t>(columns) +
            static_cast<std::size_t>(cell.column);
   }
   [[nodiscard]] Cell cell(std::size_t index) const;
+  /// The cell around a point of the frame `map`, which may lie outside of the grid (then so does the
+  /// cell). The coordinates must be finite.
+  [[nodiscard]] Cell cell_at(Point2 in_map) const;
+  /// The middle of the cell, in the frame `map`.
+  [[nodiscard]] Point2 center(Cell cell) const;
+};
+
+enum class CellState : std::uint8_t { kFree, kOccupied, kUnknown };
+
+/// A hall cut into square cells. Only free cells may be driven on: what is unknown, and everything
+/// outside, blocks the way as an obstacle does. One byte per cell.
+class OccupancyGrid {
+ public:
+  /// All cells free. The caller keeps the number of cells in bounds.
+  explicit OccupancyGrid(const GridFrame& frame);
+
+  /// Occupies every cell that the obstacle (in the frame `map`) covers a part of; touching is not
+  /// covering.
+  void add_obstacle(const Polygon& obstacle);
+
+  void set(Cell cell, CellState state) { cells_[frame_.index(cell)] = state; }
+  [[nodiscard]] CellState state(Cell cell) const { return cells_[frame_.index(cell)]; }
+  /// Occupied, unknown or outside.
+  [[nodiscard]] bool blocked(Cell cell) const {
+    return !frame_.contains(cell) || cells_[frame_.index(cell)] != CellState::kFree;
+  }
+  [[nodiscard]] std::size_t count(CellState state) const;
+
+  [[nodiscard]] const GridFrame& frame() const { return frame_; }
+  [[nodiscard]] std::int32_t columns() const { return frame_.columns; }
+  [[nodiscard]] std::int32_t rows() const { return frame_.rows; }
+  [[nodiscard]] double cell_m() const { return frame_.cell_m; }
+  [[nodiscard]] std::size_t size() const { return cells_.size(); }
+  [[nodiscard]] const std::vector<CellState>& cells() const { return cells_; }
 
  private:
-  Rectangle bounds_;
-  double cell_m_;
-  std::int32_t columns_;
-  std::int32_t rows_;
-  std::vector<std::uint8_t> occupied_;
+  GridFrame frame_;
+  std::vector<CellState> cells_;
 };
 
 }  // namespace linewright
