@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "row_spans.hpp"
+#include "linewright/map/row_spans.hpp"
 
 namespace linewright {
 namespace {

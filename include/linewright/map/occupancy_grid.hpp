@@ -45,8 +45,8 @@ struct GridFrame {
            static_cast<std::size_t>(cell.column);
   }
   [[nodiscard]] Cell cell(std::size_t index) const;
-  /// The cell around a point of the frame `map`, which may lie outside of the grid (then so does the
-  /// cell). The coordinates must be finite.
+  /// The cell around a point of the frame `map`, which may lie outside of the grid (then so does
+  /// the cell). The coordinates must be finite.
   [[nodiscard]] Cell cell_at(Point2 in_map) const;
   /// The middle of the cell, in the frame `map`.
   [[nodiscard]] Point2 center(Cell cell) const;
