@@ -269,7 +269,7 @@ TEST(Allocators, AgreeWhenThereIsNothingToChoose) {
   const Line& line = shipped_line("scenarios/duct_line.yaml");
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
     const std::string sap = run_line(line, crew_of({1, 1}), seed, "first", "sap").text;
-    for (const char* other : {"no_spatial", "longest_path", "first_idle"}) {
+    for (const std::string& other : allocator_names()) {
       EXPECT_EQ(run_line(line, crew_of({1, 1}), seed, "first", other).text, sap) << other;
     }
   }
