@@ -1,7 +1,9 @@
 // The command line tool as a user meets it: what it prints, where, and its exit codes.
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <sys/wait.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <array>
@@ -30,8 +32,13 @@ std::string read_file(const std::string& file) {
   return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
 }
 
+/// A path of this process alone: tests run side by side.
+std::string temporary(const std::string& name) {
+  return fmt::format("{}/linewright_cli_{}_{}", ::testing::TempDir(), getpid(), name);
+}
+
 Output linewright(const std::string& arguments) {
-  const std::string errors = ::testing::TempDir() + "/linewright_cli_errors.txt";
+  const std::string errors = temporary("errors.txt");
   const std::string command = std::string(LINEWRIGHT_CLI) + " " + arguments + " 2>" + errors;
   Output output;
   FILE* pipe = popen(command.c_str(), "r");
@@ -126,7 +133,7 @@ TEST(Cli, EvaluateComparesAllocatorsWhichAreEqualWhereThereIsNothingToChoose) {
 }
 
 TEST(Cli, EvaluatePutsAllocatorsSideBySide) {
-  const std::string csv = ::testing::TempDir() + "/linewright_cli_allocators.csv";
+  const std::string csv = temporary("allocators.csv");
   const Output output = linewright(
       "evaluate scenarios/duct_line.yaml --humans 2..3 --robots 2 --trials 20 --allocator "
       "longest_path,sap --csv " +
@@ -167,7 +174,7 @@ TEST(Cli, CheckReportsTheDeadStateOfEarlyCollecting) {
 }
 
 TEST(Cli, WritesLogAndGanttAndDrawsTheLogAgain) {
-  const std::string folder = ::testing::TempDir() + "/linewright_cli/out";
+  const std::string folder = temporary("files") + "/out";
   const Output output = linewright("simulate scenarios/teaching/kitting_cell.yaml --log " + folder +
                                    "/run.jsonl --gantt " + folder + "/run.svg");
   ASSERT_EQ(output.code, 0) << output.err;
@@ -175,7 +182,7 @@ TEST(Cli, WritesLogAndGanttAndDrawsTheLogAgain) {
   ASSERT_EQ(linewright("gantt " + folder + "/run.jsonl --out " + folder + "/again.svg").code, 0);
   EXPECT_EQ(read_file(folder + "/run.svg"), read_file(folder + "/again.svg"));
   EXPECT_FALSE(read_file(folder + "/run.svg").empty());
-  std::filesystem::remove_all(::testing::TempDir() + "/linewright_cli");
+  std::filesystem::remove_all(temporary("files"));
 }
 
 TEST(Readme, EveryCommandLineWorks) {
