@@ -9,7 +9,7 @@ namespace linewright::event_log {
 namespace {
 
 // Far beyond what a scenario may have; bounds what a hostile file can cost.
-constexpr std::size_t kMostEntries = 5'000;
+constexpr std::size_t kMostEntries = 30'000;
 constexpr std::int64_t kLargestAmount = 1'000'000'000'000;
 constexpr std::int64_t kLargestInt = INT32_MAX;
 

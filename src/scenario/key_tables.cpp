@@ -122,8 +122,8 @@ ShapePtr range(std::int32_t min) {
 }
 
 ShapePtr start(const std::string& of) {
-  return one_of(
-      {choice({"random_station"}), list(name("a station"), "a list of stations, one per " + of)});
+  return one_of({choice({"random_station"}),
+                 list(name("a station"), "a list of stations, one per " + of, 0, kMostOfAKind)});
 }
 
 ShapePtr rectangle() { return list(coordinate(), "[x0, x1, y0, y1]", 4, 4); }
