@@ -29,6 +29,11 @@ constexpr std::array<Key, 7> kKeys = {{{"image", "the image's file, such as hall
                                        {"free_thresh", "0.196 is usual", true},
                                        {"mode", "trinary, scale or raw", false}}};
 
+constexpr const char* kOriginHint =
+    "write [x, y, yaw] of the lower left corner: metres and radians";
+constexpr const char* kThresholdHint =
+    "ROS writes 0.65 for occupied_thresh and 0.196 for free_thresh";
+
 constexpr double kSmallestPixel = 1e-3;
 constexpr double kLargestPixel = 100.0;
 constexpr double kLargestCoordinate = 1e5;
@@ -57,7 +62,8 @@ class SettingsReader {
       settings_.image_spot = value->spot;
       if (value->text.empty()) complain(value->spot, "'image' is empty", "name the image's file");
     }
-    real("resolution", kSmallestPixel, kLargestPixel, settings_.resolution_m);
+    real("resolution", kSmallestPixel, kLargestPixel, settings_.resolution_m,
+         "metres per pixel, such as 0.05");
     read_origin();
     read_negate();
     read_thresholds();
@@ -112,11 +118,13 @@ class SettingsReader {
     const Entry* entry = find(key);
     if (entry == nullptr) return nullptr;
     if (!entry->is_list) return &entry->values.front();
-    complain(entry->spot, fmt::format("'{}' must be a single value, but is a list", key), "");
+    complain(entry->spot, fmt::format("'{}' must be a single value, but is a list", key),
+             "remove the brackets");
     return nullptr;
   }
 
-  bool real_in(const Value& value, const std::string& what, double min, double max, double& into) {
+  bool real_in(const Value& value, const std::string& what, double min, double max, double& into,
+               const std::string& hint) {
     const auto number = number_in(value.text);
     if (number && *number >= min && *number <= max) {
       into = *number;
@@ -125,13 +133,13 @@ class SettingsReader {
     complain(value.spot,
              fmt::format("{} must be a number from {} to {}, but is {}", what, min, max,
                          value.text.empty() ? "empty" : in_quotes(value.text)),
-             "");
+             hint);
     return false;
   }
 
-  bool real(const char* key, double min, double max, double& into) {
+  bool real(const char* key, double min, double max, double& into, const std::string& hint) {
     const Value* value = single(key);
-    return value != nullptr && real_in(*value, fmt::format("'{}'", key), min, max, into);
+    return value != nullptr && real_in(*value, fmt::format("'{}'", key), min, max, into, hint);
   }
 
   void read_origin() {
@@ -142,15 +150,15 @@ class SettingsReader {
                entry->is_list
                    ? fmt::format("'origin' must be three numbers, but has {}", entry->values.size())
                    : "'origin' must be three numbers, but is a single value",
-               "write [x, y, yaw] of the lower left corner: metres and radians");
+               kOriginHint);
       return;
     }
     real_in(entry->values[0], "x of 'origin'", -kLargestCoordinate, kLargestCoordinate,
-            settings_.origin.x_m);
+            settings_.origin.x_m, kOriginHint);
     real_in(entry->values[1], "y of 'origin'", -kLargestCoordinate, kLargestCoordinate,
-            settings_.origin.y_m);
+            settings_.origin.y_m, kOriginHint);
     real_in(entry->values[2], "yaw of 'origin'", -kLargestYaw, kLargestYaw,
-            settings_.origin.heading_rad);
+            settings_.origin.heading_rad, kOriginHint);
   }
 
   void read_negate() {
@@ -163,8 +171,9 @@ class SettingsReader {
   }
 
   void read_thresholds() {
-    const bool occupied = real("occupied_thresh", 0.0, 1.0, settings_.occupied_thresh);
-    const bool free = real("free_thresh", 0.0, 1.0, settings_.free_thresh);
+    const bool occupied =
+        real("occupied_thresh", 0.0, 1.0, settings_.occupied_thresh, kThresholdHint);
+    const bool free = real("free_thresh", 0.0, 1.0, settings_.free_thresh, kThresholdHint);
     if (!occupied || !free || settings_.free_thresh <= settings_.occupied_thresh) return;
     complain(find("free_thresh")->values.front().spot,
              fmt::format("'free_thresh' {} is above 'occupied_thresh' {}", settings_.free_thresh,

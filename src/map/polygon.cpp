@@ -52,9 +52,12 @@ std::optional<std::string> polygon_fault(const Polygon& corners) {
   const std::size_t count = corners.size();
   if (count < 3) return fmt::format("it has {} corners, and needs three at least", count);
   for (std::size_t i = 0; i < count; ++i) {
+    if (distance_m(corners[i], corners[(i + 1) % count]) > 0.0) continue;
+    return fmt::format("corners {} and {} are one point", i + 1, (i + 1) % count + 1);
+  }
+  for (std::size_t i = 0; i < count; ++i) {
     const Point2 a = corners[i];
     const Point2 b = corners[(i + 1) % count];
-    if (distance_m(a, b) == 0.0) return fmt::format("corners {} and {} are one point", i + 1, (i + 1) % count + 1);
     // The next side shares a corner with this one; it may only go on, not back.
     const Point2 next = corners[(i + 2) % count];
     if (cross(a, b, next) == 0.0 &&
@@ -83,8 +86,8 @@ bool is_convex(const Polygon& polygon) {
   bool left = false;
   bool right = false;
   for (std::size_t i = 0; i < polygon.size(); ++i) {
-    const double turn = cross(polygon[i], polygon[(i + 1) % polygon.size()],
-                              polygon[(i + 2) % polygon.size()]);
+    const double turn =
+        cross(polygon[i], polygon[(i + 1) % polygon.size()], polygon[(i + 2) % polygon.size()]);
     left = left || turn > 0.0;
     right = right || turn < 0.0;
   }
@@ -108,8 +111,8 @@ double distance_to_m(Point2 point, const Polygon& polygon) {
   if (contains(polygon, point)) return 0.0;
   double nearest = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < polygon.size(); ++i) {
-    nearest = std::min(nearest, distance_to_segment_m(point, polygon[i],
-                                                      polygon[(i + 1) % polygon.size()]));
+    nearest = std::min(nearest,
+                       distance_to_segment_m(point, polygon[i], polygon[(i + 1) % polygon.size()]));
   }
   return nearest;
 }
