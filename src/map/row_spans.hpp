@@ -15,8 +15,8 @@ struct ColumnSpan {
 
 /// The rows, and in each of them the spans of columns, whose cells an area covers a part of. All
 /// coordinates in cells: cell (c, r) is the square [c, c + 1] x [r, r + 1]. Touching is not
-/// covering. A cell is covered when a side of the polygon passes through it, or else when its
-/// middle is inside: there is no third way.
+/// covering. A cell is covered when a side of the polygon passes through it, or else when its middle
+/// is inside: there is no third way.
 class RowSpans {
  public:
   /// `polygon` is simple and stays alive; `convex` (checked by the caller) gives one span a row.
@@ -25,8 +25,8 @@ class RowSpans {
   [[nodiscard]] std::int32_t first_row() const { return first_row_; }
   [[nodiscard]] std::int32_t last_row() const { return last_row_; }
 
-  /// Calls visit(span) for each span of the row until one call returns true, and returns whether
-  /// one did. Spans may overlap; none is empty.
+  /// Calls visit(span) for each span of the row until one call returns true, and returns whether one
+  /// did. Spans may overlap; none is empty.
   template <class Visit>
   bool any_in_row(std::int32_t row, Visit&& visit) {
     collect(row);
