@@ -75,6 +75,26 @@ TEST(Cli, ReplaysARecordedRun) {
   EXPECT_EQ(json["replay"]["milestones"]["largest_difference"], 0);
 }
 
+TEST(Cli, MapTellsTheFactsAndWritesWhatItTells) {
+  const std::string file = ::testing::TempDir() + "/cli_map/hall.yaml";
+  const Output output = linewright("map scenarios/duct_line.yaml --json --out " + file);
+  ASSERT_EQ(output.code, 0) << output.err;
+  const Json json = Json::parse(output.out);
+  EXPECT_EQ(json["columns"], 240);
+  EXPECT_EQ(json["rows"], 140);
+  EXPECT_EQ(json["origin"], (Json{-50.0, -10.0, 0.0}));
+  EXPECT_EQ(json["cells"]["free"].get<int>() + json["cells"]["occupied"].get<int>(), 240 * 140);
+  EXPECT_EQ(json["obstacles"].size(), 12U);
+  EXPECT_EQ(json["stations"].size(), 20U);
+  EXPECT_FALSE(json["stations"][0]["blocked"].get<bool>());
+  // The shipped map is that of the shipped line.
+  EXPECT_EQ(read_file(::testing::TempDir() + "/cli_map/hall.pgm"),
+            read_file("scenarios/maps/duct_hall.pgm"));
+  const std::string text = linewright("map scenarios/duct_line.yaml").out;
+  EXPECT_NE(text.find("240 x 140 cells of 0.25 m"), std::string::npos) << text;
+  std::filesystem::remove_all(::testing::TempDir() + "/cli_map");
+}
+
 TEST(Cli, TellsADeadlock) {
   const Output output = linewright(
       "simulate scenarios/duct_line_published.yaml --planner replay "
@@ -270,7 +290,10 @@ INSTANTIATE_TEST_SUITE_P(
               "tests/data/recorded/rule_H2R2_n1_s0.json",
               "order of 0"},
         Wrong{"evaluate scenarios/duct_line.yaml --planner replay", "only for simulate"},
-        Wrong{"simualte", "did you mean 'simulate'?"}));
+        Wrong{"map scenarios/maps/duct_hall.yaml", "a map file of ROS map_server, not a scenario"},
+        Wrong{"map scenarios/teaching/one_human_one_robot.yaml", "the scenario has no map"},
+        Wrong{"map scenarios/duct_line.yaml --out out/hall.png", "name the YAML file: hall.yaml"},
+        Wrong{"map nowhere.yaml", "nowhere.yaml"}, Wrong{"simualte", "did you mean 'simulate'?"}));
 
 }  // namespace
 }  // namespace linewright::testing

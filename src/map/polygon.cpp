@@ -64,10 +64,12 @@ std::optional<std::string> polygon_fault(const Polygon& corners) {
   const std::size_t count = corners.size();
   if (count < 3) return fmt::format("it has {} corners, and needs three at least", count);
   for (std::size_t i = 0; i < count; ++i) {
+    if (distance_m(corners[i], corners[(i + 1) % count]) > 0.0) continue;
+    return fmt::format("corners {} and {} are one point", i + 1, (i + 1) % count + 1);
+  }
+  for (std::size_t i = 0; i < count; ++i) {
     const Point2 a = corners[i];
     const Point2 b = corners[(i + 1) % count];
-    if (distance_m(a, b) == 0.0)
-      return fmt::format("corners {} and {} are one point", i + 1, (i + 1) % count + 1);
     // The next side shares a corner with this one; it may only go on, not back.
     const Point2 next = corners[(i + 2) % count];
     if (cross(a, b, next) == 0.0 &&

@@ -304,12 +304,28 @@ ShapePtr milestone() {
                   event("task_end", "a task", "When the task ends")});
 }
 
+ShapePtr obstacle() {
+  const Field height = key("height_m", real(1e-3, 1e3), "For pictures, metres. Default 1.0");
+  const ShapePtr corners =
+      list(list(coordinate(), "[x, y]", 2, 2),
+           fmt::format("a list of 3 to {} corners [x, y]", kMostCorners), 3, kMostCorners);
+  return one_of(
+      {rectangle(),
+       variant(
+           "obstacle", "a mapping {rectangle: [x0, x1, y0, y1], height_m: H}",
+           {mapping("", {required("rectangle", rectangle(), "x0, x1, y0, y1 in metres"), height}),
+            mapping("", {required("polygon", corners, "Corners in order, metres"), height})})});
+}
+
 ShapePtr map() {
   return mapping(
-      "a mapping with bounds and obstacles",
-      {required("bounds", rectangle(), "x0, x1, y0, y1 in metres"),
-       key("cell_m", real(kSmallestCell, 100), "Edge of a grid cell, metres. Default 0.25"),
-       key("obstacles", section("obstacle", rectangle()), "Rectangles x0, x1, y0, y1 in metres")});
+      "a mapping with bounds or occupancy, and obstacles",
+      {key("bounds", rectangle(), "x0, x1, y0, y1 in metres; this or `occupancy` is required"),
+       key("cell_m", real(kSmallestCell, 100),
+           "With `bounds`: edge of a grid cell, metres. Default 0.25"),
+       key("occupancy", scalar(Kind::kText, "a file name"),
+           "A map of ROS map_server (YAML), relative to this file"),
+       key("obstacles", section("obstacle", obstacle()), "What nothing drives through")});
 }
 
 ShapePtr travel() {

@@ -13,10 +13,6 @@
 namespace linewright::loading {
 namespace {
 
-Rectangle rectangle_of(const Obstacle& o) { return {o.x0_m, o.x1_m, o.y0_m, o.y1_m}; }
-
-Rectangle bounds_of(const HallMap& map) { return {map.x0_m, map.x1_m, map.y0_m, map.y1_m}; }
-
 double cells_in(const Rectangle& r, double margin_m, double cell_m) {
   return ((r.x1_m - r.x0_m + 2 * margin_m) / cell_m + 2) *
          ((r.y1_m - r.y0_m + 2 * margin_m) / cell_m + 2);
@@ -24,32 +20,34 @@ double cells_in(const Rectangle& r, double margin_m, double cell_m) {
 
 /// Cell visits that building the grid and searching from every point will take at most.
 double work_of(const HallMap& map, double radius_m, std::size_t points) {
-  const double all = cells_in(bounds_of(map), 0.0, map.cell_m);
+  const double all = cells_in(map.bounds, 0.0, map.cell_m);
   double work = all * static_cast<double>(points);
   for (const Obstacle& obstacle : map.obstacles) {
     // Obstacles are cheaper per cell than searching.
-    work += 0.1 * std::min(all, cells_in(rectangle_of(obstacle), std::max(radius_m, map.cell_m),
-                                         map.cell_m));
+    work += 0.1 * std::min(all, cells_in(bounds_of(obstacle.polygon),
+                                         std::max(radius_m, map.cell_m), map.cell_m));
   }
   return work;
 }
 
 OccupancyGrid grid_of(const HallMap& map, double radius_m) {
-  OccupancyGrid grid(GridFrame::covering(bounds_of(map), map.cell_m));
+  OccupancyGrid grid = *map.grid;
   for (const Obstacle& o : map.obstacles) {
-    grid.add_obstacle(corners_of(
-        {o.x0_m - radius_m, o.x1_m + radius_m, o.y0_m - radius_m, o.y1_m + radius_m}));
+    const Rectangle r = bounds_of(o.polygon);
+    grid.add_obstacle(
+        corners_of({r.x0_m - radius_m, r.x1_m + radius_m, r.y0_m - radius_m, r.y1_m + radius_m}));
   }
   return grid;
 }
 
-/// "obstacle 'table'", the one nearest to the point, or the edge of the map.
+/// "obstacle 'table'", the one nearest to the point, or the map.
 std::string culprit(const HallMap& map, Point2 point) {
-  if (distance_to_m(point, corners_of(bounds_of(map))) > 0.0 || map.obstacles.empty())
-    return "the edge of the map";
+  if (distance_to_m(point, corners_of(map.bounds)) > 0.0) return "the edge of the map";
+  if (map.obstacles.empty())
+    return map.occupancy.empty() ? "the edge of the map" : in_quotes(map.occupancy);
   const auto nearest = std::min_element(
       map.obstacles.begin(), map.obstacles.end(), [&](const Obstacle& a, const Obstacle& b) {
-        return distance_to_m(point, corners_of(rectangle_of(a))) < distance_to_m(point, corners_of(rectangle_of(b)));
+        return distance_to_m(point, a.polygon) < distance_to_m(point, b.polygon);
       });
   return "obstacle " + in_quotes(nearest->name);
 }

@@ -1,6 +1,6 @@
-#include "utf8.hpp"
+#include "linewright/base/utf8.hpp"
 
-namespace linewright::loading {
+namespace linewright {
 namespace {
 
 bool is_plain_ascii(unsigned char byte) {
@@ -45,4 +45,4 @@ std::size_t first_not_text(std::string_view text) {
   return i;
 }
 
-}  // namespace linewright::loading
+}  // namespace linewright
