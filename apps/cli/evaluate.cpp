@@ -285,6 +285,7 @@ Command add_evaluate(CLI::App& app) {
       ->description("Numbers of workers of kind 'robot': 2, 1..3 or 1,3")
       ->type_name("N..M");
   add_configuration_options(app, arguments->run);
+  add_close_option(app, arguments->run);
   app.add_option("--trials", arguments->trials, "Runs per crew, each from other start positions")
       ->capture_default_str()
       ->check(CLI::Range(std::size_t{1}, std::size_t{10'000'000}))

@@ -75,6 +75,7 @@ void build_operations(BuildState& state);
 void build_tasks(BuildState& state);
 void build_run(BuildState& state);  ///< order, horizon, milestones and the rest
 void build_map(BuildState& state);
+void build_zones(BuildState& state);
 
 // Everything that needs the whole line. Entries with problems of their own are left out.
 void check_workers(const BuildState& state);

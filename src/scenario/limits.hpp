@@ -20,6 +20,7 @@ inline constexpr std::int32_t kMostExecutions = 30'000;  ///< max_running of all
 inline constexpr std::int32_t kMostCrew = 8;             ///< slots of one task
 inline constexpr std::int32_t kMostOfAKind = 64;         ///< workers or carriers of one kind
 inline constexpr std::int32_t kLargestAmount = 1'000'000;
+inline constexpr std::size_t kMostCorners = 100;       ///< of a zone
 inline constexpr std::int32_t kMostPerOrder = 1000;    ///< N of `N*order`
 inline constexpr double kLargestCoordinate = 1e5;      ///< metres
 inline constexpr double kSmallestCell = 0.01;          ///< metres

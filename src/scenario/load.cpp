@@ -26,6 +26,7 @@ void build(BuildState& state) {
   loading::build_tasks(state);
   loading::build_run(state);
   loading::build_map(state);
+  loading::build_zones(state);
 }
 
 void check(const BuildState& state) {

@@ -166,6 +166,15 @@ void check_kinds(BuildState& state, const SourceNode& travel) {
   }
 }
 
+/// Zones ask for new ways at run time, which only a map has.
+void check_zones(const BuildState& state) {
+  if (state.line().zones.empty() || state.line().ways != nullptr) return;
+  state.problems.error(
+      mark_of(state.root, "zones"),
+      "zones: this line has no map ways, and ways through a zone can only be planned anew on a map",
+      "write travel: {KIND: hybrid_a_star}, or remove 'zones'");
+}
+
 }  // namespace
 
 std::optional<Tick> ticks_for(BuildState& state, std::size_t kind, double metres, SourceMark mark) {
@@ -190,6 +199,7 @@ void build_travel(BuildState& state) {
   for (std::size_t kind = 0; kind < kinds; ++kind) fill_kind(state, kind, travel);
   if (!state.problems.none()) return;  // a way may be missing because of what was reported
   for (std::size_t kind = 0; kind < kinds; ++kind) check_ways(state, kind, travel);
+  check_zones(state);
 }
 
 }  // namespace linewright::loading

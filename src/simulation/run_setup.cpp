@@ -79,15 +79,10 @@ void check_closures(const LineModel& line, const std::vector<Closure>& closures)
 
 }  // namespace
 
-std::vector<Closure> all_closures(const LineModel& line, std::vector<Closure> more) {
-  for (std::size_t z = 0; z < line.zones.size(); ++z) {
-    for (const auto& [first, open] : line.zones[z].closed) {
-      more.push_back({static_cast<std::int32_t>(z), first, open});
-    }
-  }
-  std::sort(more.begin(), more.end());
+std::vector<Closure> joined_closures(std::vector<Closure> closures) {
+  std::sort(closures.begin(), closures.end());
   std::vector<Closure> joined;
-  for (const Closure& closure : more) {
+  for (const Closure& closure : closures) {
     if (!joined.empty() && joined.back().zone == closure.zone &&
         closure.first <= joined.back().open) {
       joined.back().open = std::max(joined.back().open, closure.open);
@@ -96,6 +91,15 @@ std::vector<Closure> all_closures(const LineModel& line, std::vector<Closure> mo
     }
   }
   return joined;
+}
+
+std::vector<Closure> all_closures(const LineModel& line, std::vector<Closure> more) {
+  for (std::size_t z = 0; z < line.zones.size(); ++z) {
+    for (const auto& [first, open] : line.zones[z].closed) {
+      more.push_back({static_cast<std::int32_t>(z), first, open});
+    }
+  }
+  return joined_closures(std::move(more));
 }
 
 std::vector<StationId> start_stations(const LineModel& line, WorkerKindId kind) {

@@ -46,6 +46,9 @@ struct RunSetup {
 [[nodiscard]] RunSetup sample_setup(const LineModel& line, const RunOptions& options,
                                     std::uint64_t seed);
 
+/// In order, and what overlaps or touches put together, as RunSetup has them.
+[[nodiscard]] std::vector<Closure> joined_closures(std::vector<Closure> closures);
+
 /// The scenario's closures and `more` (which may overlap), put together as RunSetup has them.
 [[nodiscard]] std::vector<Closure> all_closures(const LineModel& line, std::vector<Closure> more);
 
