@@ -30,10 +30,10 @@ std::int32_t zone_named(const LineModel& line, const std::string& name) {
     if (line.zones[z].name == name) return static_cast<std::int32_t>(z);
     names.push_back(line.zones[z].name);
   }
-  throw ScenarioError(
-      {}, fmt::format("--close: line '{}' has no zone '{}'", line.name, name),
-      names.empty() ? "it has no zones; docs/formats/scenario.md says how to write them"
-                    : name_hint(name, names));
+  throw ScenarioError({}, fmt::format("--close: line '{}' has no zone '{}'", line.name, name),
+                      names.empty()
+                          ? "it has no zones; docs/formats/scenario.md says how to write them"
+                          : name_hint(name, names));
 }
 
 }  // namespace

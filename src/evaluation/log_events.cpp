@@ -92,13 +92,25 @@ Pose2 read_pose(const Source& source) {
 }
 
 LoggedEvent::What read_go(const Source& source) {
-  return read_way(source, LoggedGo{source.n_if_any(), source.worker(), source.station("from"),
-                                   source.station("to"), 0, 0, 0.0, {}});
+  return read_way(source, LoggedGo{source.n_if_any(),
+                                   source.worker(),
+                                   source.station("from"),
+                                   source.station("to"),
+                                   0,
+                                   0,
+                                   0.0,
+                                   {}});
 }
 
 LoggedEvent::What read_reroute(const Source& source) {
-  return read_way(source, LoggedReroute{source.n_if_any(), source.worker(), read_pose(source),
-                                        source.station("to"), 0, 0, 0.0, {}});
+  return read_way(source, LoggedReroute{source.n_if_any(),
+                                        source.worker(),
+                                        read_pose(source),
+                                        source.station("to"),
+                                        0,
+                                        0,
+                                        0.0,
+                                        {}});
 }
 
 LoggedEvent::What read_blocked(const Source& source) {

@@ -5,6 +5,8 @@
 #include <functional>
 #include <utility>
 
+#include "linewright/line/way_finder.hpp"
+
 namespace linewright::event_log {
 namespace {
 
@@ -179,6 +181,9 @@ class HeaderReader {
 
   void read_zones() {
     if (fields_.find("zones") == nullptr) return;
+    if (fields_.list("zones").size() > kMostZones) {
+      fields_.wrong("zones", fmt::format("a list of at most {} zones", kMostZones));
+    }
     each("zones", [&](const LogFields& entry) {
       LogZone zone{entry.text("name"), {}, {}};
       for (const Json& corner : entry.list("polygon")) {

@@ -176,15 +176,13 @@ class Reader {
       for (const Json& span : zone["closed"]) {
         const auto first = span[0].get<std::int64_t>();
         const auto ticks = span[1].get<std::int64_t>();
-        if (first < 1 || first > kMaxTicks || ticks < 1 ||
-            ticks > kMaxTicks) {
+        if (first < 1 || first > kMaxTicks || ticks < 1 || ticks > kMaxTicks) {
           problem(fmt::format("zone '{}' is closed at {}", name, shorten(span)),
                   "write [tick, ticks]");
           continue;
         }
         run_.setup.closures.push_back({static_cast<std::int32_t>(found - names.begin()),
-                                       static_cast<Tick>(first),
-                                       static_cast<Tick>(first + ticks)});
+                                       static_cast<Tick>(first), static_cast<Tick>(first + ticks)});
       }
     }
     run_.setup.closures = joined_closures(std::move(run_.setup.closures));

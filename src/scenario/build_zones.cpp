@@ -60,7 +60,8 @@ std::vector<std::pair<Tick, Tick>> spans(const SourceNode& node) {
   for (const SourceNode& item : closed->items) {
     if (!item.is_list()) continue;
     const auto tick = static_cast<Tick>(parse_integer(item.items[0].text).value_or(1));
-    read.emplace_back(tick, tick + static_cast<Tick>(parse_integer(item.items[1].text).value_or(1)));
+    read.emplace_back(tick,
+                      tick + static_cast<Tick>(parse_integer(item.items[1].text).value_or(1)));
   }
   std::sort(read.begin(), read.end());
   std::vector<std::pair<Tick, Tick>> joined;

@@ -71,12 +71,11 @@ void check_rest(const BuildState& state, std::int32_t id, const WorkerKind& kind
   for (std::size_t i = 0; i < kind.rest.size(); ++i) {
     const Station& station = state.line().stations[kind.rest[i].index()];
     if (station.poses[static_cast<std::size_t>(id)]) continue;
-    state.problems.error(
-        rest.is_list() ? rest.items[i].mark : rest.mark,
-        fmt::format("{}: it rests at station {}, which has no pose for {}",
-                    state.names.title(Section::kWorkers, id), in_quotes(station.name),
-                    in_quotes(kind.name)),
-        fmt::format("give the station {}: [x_m, y_m, yaw_rad]", kind.name));
+    state.problems.error(rest.is_list() ? rest.items[i].mark : rest.mark,
+                         fmt::format("{}: it rests at station {}, which has no pose for {}",
+                                     state.names.title(Section::kWorkers, id),
+                                     in_quotes(station.name), in_quotes(kind.name)),
+                         fmt::format("give the station {}: [x_m, y_m, yaw_rad]", kind.name));
   }
 }
 

@@ -326,13 +326,13 @@ ShapePtr map() {
 ShapePtr zone() {
   const ShapePtr corner = list(coordinate(), "[x_m, y_m]", 2, 2);
   const ShapePtr span = list(integer(1, kMaxTicks), "[tick, ticks]", 2, 2);
-  return mapping("a mapping with a rectangle or a polygon",
-                 {key("rectangle", rectangle(), "x0, x1, y0, y1 in metres"),
-                  key("polygon",
-                      list(corner, "a list of 3 to 100 corners [x_m, y_m]", 3, kMostCorners),
-                      "Its corners in order, metres"),
-                  key("closed", list(span, "a list of [tick, ticks]"),
-                      "When it is closed: from the start of tick, for so many ticks")});
+  return mapping(
+      "a mapping with a rectangle or a polygon",
+      {key("rectangle", rectangle(), "x0, x1, y0, y1 in metres"),
+       key("polygon", list(corner, "a list of 3 to 100 corners [x_m, y_m]", 3, kMostCorners),
+           "Its corners in order, metres"),
+       key("closed", list(span, "a list of [tick, ticks]"),
+           "When it is closed: from the start of tick, for so many ticks")});
 }
 
 ShapePtr travel() {

@@ -13,8 +13,9 @@
 namespace linewright::loading {
 namespace {
 
-constexpr std::array<const char*, kSections> kKeys = {
-    "workers", "carriers", "stations", "places", "machines", "operations", "tasks", "milestones", "zones"};
+constexpr std::array<const char*, kSections> kKeys = {"workers", "carriers",   "stations",
+                                                      "places",  "machines",   "operations",
+                                                      "tasks",   "milestones", "zones"};
 constexpr std::array<const char*, kSections> kNouns = {
     "worker", "carrier", "station", "place", "machine", "operation", "task", "milestone", "zone"};
 

@@ -229,8 +229,9 @@ struct LoggedEnd {
 };
 
 /// One run. Every id is valid, ticks never run backwards, decisions are numbered 1, 2, 3, ... and
-/// every `n` is that of an earlier decision; a zone closes only when open and opens when closed. Ends of ways, transfers and operations are not before
-/// their beginning; they may lie beyond the end of the run.
+/// every `n` is that of an earlier decision; a zone closes only when open and opens when closed.
+/// Ends of ways, transfers and operations are not before their beginning; they may lie beyond the
+/// end of the run.
 struct LogDocument {
   LogHeader header;
   std::vector<LoggedEvent> events;
