@@ -2,164 +2,18 @@
 
 #include <gtest/gtest.h>
 
-#include <map>
-#include <nlohmann/json.hpp>
 #include <set>
-#include <sstream>
 
 #include "linewright/allocation/allocator.hpp"
 #include "linewright/evaluation/event_log_writer.hpp"
 #include "linewright/evaluation/recorded_run.hpp"
 #include "linewright/planning/episode.hpp"
 #include "linewright/planning/planner.hpp"
+#include "tests/log_audit.hpp"
 #include "tests/support.hpp"
 
 namespace linewright::testing {
 namespace {
-
-using Json = nlohmann::json;
-
-/// Follows every token through a log, with nothing but the log.
-class Audit {
- public:
-  explicit Audit(const std::string& text) {
-    std::istringstream in(text);
-    std::string line;
-    std::getline(in, line);
-    head_ = Json::parse(line);
-    for (const Json& place : head_["places"]) {
-      count_[place["name"]] = place["initial"];
-      if (place.contains("capacity")) capacity_[place["name"]] = place["capacity"];
-      if (place.contains("berth")) berths_.insert(place["name"].get<std::string>());
-    }
-    for (const Json& carrier : head_["carriers"]) {
-      count_[carrier["id"]] = 0;
-      capacity_[carrier["id"]] = carrier["capacity"];
-    }
-    for (const Json& operation : head_["operations"]) operations_[operation["name"]] = operation;
-    while (std::getline(in, line)) events_.push_back(Json::parse(line));
-    run();
-  }
-
-  std::string problem;
-  [[nodiscard]] int count(const std::string& place) const { return count_.at(place); }
-
- private:
-  void run() {
-    // Items under way by hand are put down at their `until`.
-    std::multimap<int, std::pair<std::string, std::string>> in_hand;
-    int now = 0;
-    for (const Json& event : events_) {
-      const int tick = event["t"];
-      if (tick < now) problem = "time runs backwards at " + event.dump();
-      now = tick;
-      while (!in_hand.empty() && in_hand.begin()->first <= now) {
-        move(in_hand.begin()->second.first, -1, event);
-        move(in_hand.begin()->second.second, +1, event);
-        in_hand.erase(in_hand.begin());
-      }
-      const std::string what = event["event"];
-      if (what == "transfer") {
-        in_hand.emplace(event["until"].get<int>(), std::pair{event["from"], event["to"]});
-      } else if (what == "operation_start") {
-        machines(event, true);
-        for (const auto& [place, n] : flows(event, "consumes")) move(place, -n, event);
-      } else if (what == "operation_end") {
-        for (const auto& [place, n] : flows(event, "produces")) move(place, n, event);
-        const Json& operation = operations_[event["operation"]];
-        if (!operation.contains("recovery")) machines(event, false);
-      } else if (what == "recovery_end") {
-        machines(event, false);
-      } else if (what == "put_down" && event.contains("berth")) {
-        standing_[event["berth"]] = event["carrier"];
-      } else if (what == "berth") {
-        standing_[event["berth"]] = event["carrier"];
-      } else if (what == "decision") {
-        crew(event, true);
-      } else if (what == "task_end" || what == "release" || what == "join") {
-        crew(event, what == "join");
-      }
-    }
-  }
-
-  std::map<std::string, int> flows(const Json& event, const char* key) {
-    const Json& operation = operations_[event["operation"]];
-    return operation.contains(key) ? operation[key].get<std::map<std::string, int>>()
-                                   : std::map<std::string, int>{};
-  }
-
-  void move(std::string where, int n, const Json& event) {
-    if (berths_.contains(where)) {
-      if (!standing_.contains(where)) {
-        problem = "nothing stands in " + where + " at " + event.dump();
-        return;
-      }
-      where = standing_[where];
-    }
-    int& count = count_[where];
-    count += n;
-    if (count < 0) problem = where + " has " + std::to_string(count) + " at " + event.dump();
-    if (capacity_.contains(where) && count > capacity_[where]) {
-      problem = where + " holds too much at " + event.dump();
-    }
-  }
-
-  void machines(const Json& event, bool take) {
-    const Json& operation = operations_[event["operation"]];
-    const auto each = [&](const char* key, auto&& what) {
-      if (!operation.contains(key)) return;
-      for (const Json& machine : operation[key]) what(machine.get<std::string>());
-    };
-    const auto take_it = [&](const std::string& machine) {
-      if (!taken_.insert(machine).second) problem = machine + " taken twice at " + event.dump();
-    };
-    const auto let_go = [&](const std::string& machine) {
-      if (taken_.erase(machine) == 0) problem = machine + " was not taken at " + event.dump();
-    };
-    if (take) {
-      each("uses", take_it);
-      each("claims", take_it);
-    } else {
-      each("uses", let_go);
-      each("frees", let_go);
-    }
-  }
-
-  void crew(const Json& event, bool bind) {
-    if (event["event"] == "decision") {
-      for (const auto& [role, members] : event["crew"].items()) {
-        for (const Json& member : members) {
-          bound_to_[event["n"]].push_back(member);
-          const std::string id = member;
-          for (auto berth = standing_.begin(); berth != standing_.end();) {
-            berth = berth->second == id ? standing_.erase(berth) : std::next(berth);
-          }
-          if (!busy_.insert(id).second) problem = id + " is busy already at " + event.dump();
-        }
-      }
-    } else if (event["event"] == "join") {
-      if (bind && !busy_.insert(event["worker"]).second)
-        problem = "joiner is busy at " + event.dump();
-      bound_to_[event["n"]].push_back(event["worker"]);
-    } else if (event["event"] == "release") {
-      busy_.erase(event["worker"]);
-      std::erase(bound_to_[event["n"]], event["worker"].get<std::string>());
-    } else {
-      for (const std::string& member : bound_to_[event["n"]]) busy_.erase(member);
-    }
-  }
-
-  Json head_;
-  std::vector<Json> events_;
-  std::map<std::string, int> count_;
-  std::map<std::string, int> capacity_;
-  std::set<std::string> berths_;
-  std::map<std::string, std::string> standing_;  // berth -> carrier
-  std::map<std::string, Json> operations_;
-  std::set<std::string> taken_;
-  std::set<std::string> busy_;
-  std::map<int, std::vector<std::string>> bound_to_;
-};
 
 class EveryLine : public ::testing::TestWithParam<std::string> {};
 

@@ -138,8 +138,10 @@ std::vector<RunOptions> crews_of(const RunArguments& arguments, const LineModel&
     }
     set("--crew", entry.substr(0, equals), entry.substr(equals + 1));
   }
-  std::vector<RunOptions> crews{
-      RunOptions{.workers = {}, .order = arguments.order, .horizon = arguments.horizon}};
+  std::vector<RunOptions> crews{RunOptions{.workers = {},
+                                           .order = arguments.order,
+                                           .horizon = arguments.horizon,
+                                           .closures = closures_of(arguments, line)}};
   for (std::size_t k = 0; k < counts.size(); ++k) {
     if (counts[k].empty() && fill) {
       for (std::int32_t n = line.worker_kinds[k].count.min; n <= line.worker_kinds[k].count.max;

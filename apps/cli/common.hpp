@@ -37,6 +37,7 @@ struct RunArguments {
   std::vector<std::string> crew;  ///< "KIND=2", for any kind of worker
   std::optional<std::int32_t> order;
   std::optional<Tick> horizon;
+  std::vector<std::string> close;  ///< "ZONE@TICK+TICKS"
   std::uint64_t seed = 1;
   Configuration configuration;
   bool json = false;
@@ -45,6 +46,11 @@ struct RunArguments {
 void add_scenario_option(CLI::App& app, RunArguments& arguments);
 void add_run_options(CLI::App& app, RunArguments& arguments);
 void add_configuration_options(CLI::App& app, RunArguments& arguments);
+void add_close_option(CLI::App& app, RunArguments& arguments);
+
+/// The closures that --close names. Throws ScenarioError for unknown zones and bad ticks.
+[[nodiscard]] std::vector<Closure> closures_of(const RunArguments& arguments,
+                                               const LineModel& line);
 
 /// The crews that the options name: every combination of the counts, in order; the first kind
 /// varies slowest. Kinds that are not named keep the scenario's count (none in the RunOptions)

@@ -173,6 +173,7 @@ Command add_evaluate(CLI::App& app) {
       ->description(app.get_option("--allocator")->get_description() +
                     "; several with commas are compared")
       ->type_name("NAME,...");
+  add_close_option(app, arguments->run);
   app.add_option("--trials", arguments->trials, "Runs per crew, each from other start positions")
       ->capture_default_str()
       ->check(CLI::Range(std::size_t{1}, std::size_t{10'000'000}))

@@ -63,6 +63,10 @@ Outcome play_recorded(const Simulator& simulator, const SimulateArguments& argum
   RunSetup& setup = outcome.recorded->setup;
   if (arguments.run.order) setup.order = *arguments.run.order;
   if (arguments.run.horizon) setup.horizon = *arguments.run.horizon;
+  for (const Closure& closure : closures_of(arguments.run, simulator.line())) {
+    setup.closures.push_back(closure);
+  }
+  setup.closures = joined_closures(std::move(setup.closures));
   check_setup(simulator.line(), setup);
   const auto fallback = make_allocator("first_idle", simulator);
   outcome.replayed =
@@ -281,6 +285,7 @@ Command add_simulate(CLI::App& app) {
   add_scenario_option(app, arguments->run);
   add_run_options(app, arguments->run);
   add_configuration_options(app, arguments->run);
+  add_close_option(app, arguments->run);
   app.get_option("--planner")
       ->description(app.get_option("--planner")->get_description() +
                     ", or replay with --decisions");

@@ -9,6 +9,7 @@
 #include <system_error>
 
 #include "linewright/base/diagnostic.hpp"
+#include "log_ways.hpp"
 
 namespace linewright {
 namespace {
@@ -154,6 +155,7 @@ class Writer {
     for (const Task& task : line_.tasks) {
       head["tasks"].push_back({{"number", task.number}, {"name", task.name}});
     }
+    if (!line_.zones.empty()) head["zones"] = event_log::zone_list(line_, setup);
     if (scenario_.map) head["hall"] = hall(*scenario_.map);
     return head;
   }
@@ -178,6 +180,23 @@ class Writer {
         break;
       case LogEvent::Type::kGo:
         go(out, event);
+        break;
+      case LogEvent::Type::kReroute:
+        named(out, "reroute", event);
+        out["pose"] = event_log::pose_json(event.course.origin);
+        out["to"] = line_.stations[index(event.d)].name;
+        event_log::write_way(out, line_, event, kind_of(event.a));
+        break;
+      case LogEvent::Type::kBlocked:
+        out["event"] = "blocked";
+        out["worker"] = workers_[index(event.a)];
+        out["pose"] = event_log::pose_json(event.course.origin);
+        out["to"] = line_.stations[index(event.d)].name;
+        break;
+      case LogEvent::Type::kZone:
+        out["event"] = "zone";
+        out["zone"] = line_.zones[index(event.a)].name;
+        out["closed"] = event.b == 1;
         break;
       case LogEvent::Type::kPickUp:
         named(out, "pick_up", event);
@@ -233,7 +252,7 @@ class Writer {
 
   void named(Json& out, const char* name, const LogEvent& event) const {
     out["event"] = name;
-    out["n"] = event.b;
+    if (event.b >= 0) out["n"] = event.b;  // -1: on its way to rest, in no task
     out["worker"] = workers_[index(event.a)];
   }
 
@@ -254,20 +273,9 @@ class Writer {
 
   void go(Json& out, const LogEvent& event) const {
     named(out, "go", event);
-    const StationId from(event.c);
-    const StationId to(event.d);
-    const TravelTable& travel = line_.travel[worker_kind_[index(event.a)]];
-    out["from"] = line_.stations[from.index()].name;
-    out["to"] = line_.stations[to.index()].name;
-    out["departs"] = event.e;
-    out["arrives"] = event.until;
-    out["metres"] = travel.leg(from, to).metres;
-    if (from != to && !travel.path(from, to).empty()) {
-      for (const WayPoint& point : travel.path(from, to)) {
-        out["path"].push_back(
-            {point.pose.x_m, point.pose.y_m, point.pose.heading_rad, point.share});
-      }
-    }
+    out["from"] = line_.stations[index(event.c)].name;
+    out["to"] = line_.stations[index(event.d)].name;
+    event_log::write_way(out, line_, event, kind_of(event.a));
   }
 
   std::string endpoint(std::int32_t code) const {
@@ -284,6 +292,9 @@ class Writer {
   }
 
   const std::string& task_name(std::int32_t id) const { return line_.tasks[index(id)].name; }
+  [[nodiscard]] WorkerKindId kind_of(std::int32_t worker) const {
+    return WorkerKindId(worker_kind_[index(worker)]);
+  }
   static std::size_t index(std::int32_t id) { return static_cast<std::size_t>(id); }
 
   const Scenario& scenario_;

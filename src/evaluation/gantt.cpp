@@ -171,6 +171,8 @@ GanttChart make_gantt(const LogDocument& log) {
   std::size_t budget = kMostGanttIntervals;
   chart.sections = by_kind(log, gantt::worker_rows(log, budget));
   add_machines(gantt::machine_rows(log, budget), chart.sections);
+  std::vector<GanttRow> zones = gantt::zone_rows(log, budget);
+  if (!zones.empty()) chart.sections.push_back({gantt::kZonesHeading, std::move(zones)});
   add_marks(log, chart);
   return chart;
 }

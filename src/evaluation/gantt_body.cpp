@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "gantt_labels.hpp"
+#include "gantt_rows.hpp"
 #include "gantt_style.hpp"
 #include "markup.hpp"
 
@@ -54,6 +55,8 @@ char texture(GanttKind kind) {
     case GanttKind::kWaiting:
     case GanttKind::kHeld:
       return 'o';
+    case GanttKind::kClosed:
+      return 'h';
   }
   return 's';
 }
@@ -124,8 +127,9 @@ class BodyPainter {
     rule(y_ + kHeadingHeight - 1.0);
     y_ += kHeadingHeight;
     bool striped = false;
+    const bool low = section.heading == "Machines" || section.heading == kZonesHeading;
     for (const GanttRow& row : section.rows) {
-      paint_row(row, section.heading == "Machines" ? kMachineRow : kWorkerRow, striped);
+      paint_row(row, low ? kMachineRow : kWorkerRow, striped);
       striped = !striped;
     }
   }

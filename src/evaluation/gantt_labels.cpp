@@ -72,6 +72,8 @@ std::vector<BarLabel> labels_of(const GanttRow& row) {
       if (first.kind == GanttKind::kWorking) {
         labels.push_back({first.begin, first.end, first.kind, first.task,
                           operation_label(first.label, row.name)});
+      } else if (first.kind == GanttKind::kClosed) {
+        labels.push_back({first.begin, first.end, first.kind, first.task, first.label});
       }
       ++i;
       continue;

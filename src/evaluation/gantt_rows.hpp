@@ -9,6 +9,8 @@
 
 namespace linewright::gantt {
 
+inline constexpr const char* kZonesHeading = "Zones";
+
 /// Appends intervals to one row so that they stay in order, within the run and without overlaps.
 class RowBuilder {
  public:
@@ -36,6 +38,9 @@ class RowBuilder {
 
 /// One row per machine.
 [[nodiscard]] std::vector<GanttRow> machine_rows(const LogDocument& log, std::size_t& budget);
+
+/// One row per zone that is closed at any time.
+[[nodiscard]] std::vector<GanttRow> zone_rows(const LogDocument& log, std::size_t& budget);
 
 /// "load_flange.inner (decision 7)"
 [[nodiscard]] std::string decision_title(const LogDocument& log, std::int32_t n);

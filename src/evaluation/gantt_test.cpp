@@ -229,5 +229,39 @@ TEST(Gantt, AgreesWithTheSimulator) {
   }
 }
 
+/// What the row of that name shows: "kind begin-end text".
+std::vector<std::string> shown(const GanttChart& chart, const std::string& name) {
+  std::vector<std::string> all;
+  for (const GanttSection& section : chart.sections) {
+    for (const GanttRow& row : section.rows) {
+      if (row.name != name) continue;
+      for (const GanttInterval& i : row.intervals) all.push_back(i.text);
+    }
+  }
+  return all;
+}
+
+TEST(Gantt, ShowsZonesAndWhyAWayWasLeft) {
+  const GanttChart chart = make_gantt(read_text(test::zones_log()));
+  ASSERT_EQ(chart.sections.back().heading, "Zones");
+  EXPECT_EQ(shown(chart, "gate"), std::vector<std::string>{"zone gate · closed · ticks 4–12"});
+  EXPECT_EQ(
+      shown(chart, "human.0"),
+      (std::vector<std::string>{
+          "human.0 · bring (decision 1) · wait at desk · ticks 3–5",
+          "human.0 · bring (decision 1) · walk desk → rack · ticks 5–7",
+          "human.0 · bring (decision 1) · wait for a way to rack: zone gate closed · ticks 7–12",
+          "human.0 · bring (decision 1) · walk → rack · re-routed: zone gate opened · ticks "
+          "12–15 · 2.8 m",
+          "human.0 · bring (decision 1) · wait at rack · ticks 15–18"}));
+  // On its way to rest, called on the way: from then on it is in the task.
+  EXPECT_EQ(shown(chart, "robot.0"),
+            (std::vector<std::string>{
+                "robot.0 · to rest · drive dock → rack · ticks 2–4",
+                "robot.0 · to rest · drive → rack · re-routed: zone gate closed · ticks 4–11",
+                "robot.0 · bring (decision 1) · drive → rack · re-routed: zone gate closed · ticks "
+                "11–18"}));
+}
+
 }  // namespace
 }  // namespace linewright

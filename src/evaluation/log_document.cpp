@@ -146,6 +146,7 @@ class DocumentReader {
     auto& event = std::get<LoggedEvent>(line);
     check_tick(event.tick);
     check_number(event);
+    check_zone(event);
     document_.events.push_back(std::move(event));
   }
 
@@ -172,10 +173,25 @@ class DocumentReader {
     }
   }
 
+  void check_zone(const LoggedEvent& event) {
+    const auto* zone = std::get_if<LoggedZone>(&event.what);
+    if (zone == nullptr) return;
+    zone_closed_.resize(document_.header.zones.size(), false);
+    if (zone_closed_[zone->zone.index()] == zone->closed) {
+      fail(where_,
+           fmt::format("zone {} is {} already",
+                       event_log::in_quotes(document_.header.zones[zone->zone.index()].name),
+                       zone->closed ? "closed" : "open"),
+           "lines may be missing; simulate the run again");
+    }
+    zone_closed_[zone->zone.index()] = zone->closed;
+  }
+
   LogPosition where_;
   LineReader lines_;
   event_log::LogIndex index_;
   LogDocument document_;
+  std::vector<bool> zone_closed_;
   Tick latest_ = 0;
   int last_line_ = 0;
   bool ended_ = false;

@@ -22,6 +22,8 @@ struct Source {
   [[nodiscard]] std::int32_t n() const {
     return static_cast<std::int32_t>(fields.integer("n", 1, INT32_MAX));
   }
+  /// 0: none, of a worker without a task.
+  [[nodiscard]] std::int32_t n_if_any() const { return fields.find("n") == nullptr ? 0 : n(); }
   [[nodiscard]] WorkerId worker() const { return fields.id<WorkerId>("worker", index.workers); }
   [[nodiscard]] CarrierId carrier() const {
     return fields.id<CarrierId>("carrier", index.carriers);
@@ -69,18 +71,55 @@ LoggedEvent::What read_join(const Source& source) {
   return LoggedJoin{source.n(), source.worker(), source.fields.text("role")};
 }
 
-LoggedEvent::What read_go(const Source& source) {
-  LoggedGo go{source.n(), source.worker(), source.station("from"), source.station("to"), 0, 0, 0.0,
-              {}};
-  go.departs = source.tick_from("departs", source.tick);
-  go.arrives = source.tick_from("arrives", go.departs);
-  go.metres = source.fields.number("metres", 0.0, 1e9);
-  if (source.fields.find("path") == nullptr) return go;
+/// What a `go` and a `reroute` say about their way.
+template <class Way>
+Way read_way(const Source& source, Way way) {
+  way.departs = source.tick_from("departs", source.tick);
+  way.arrives = source.tick_from("arrives", way.departs);
+  way.metres = source.fields.number("metres", 0.0, 1e9);
+  if (source.fields.find("path") == nullptr) return way;
   for (const Json& point : source.fields.list("path")) {
     const auto numbers = numbers_of(point, 4, "a point of 'path'", source.fields.where());
-    go.path.push_back({{numbers[0], numbers[1], numbers[2]}, numbers[3]});
+    way.path.push_back({{numbers[0], numbers[1], numbers[2]}, numbers[3]});
   }
-  return go;
+  return way;
+}
+
+Pose2 read_pose(const Source& source) {
+  const auto n = numbers_of(source.fields.at("pose"), 3, "'pose' of " + source.fields.title(),
+                            source.fields.where());
+  return {n[0], n[1], n[2]};
+}
+
+LoggedEvent::What read_go(const Source& source) {
+  return read_way(source, LoggedGo{source.n_if_any(),
+                                   source.worker(),
+                                   source.station("from"),
+                                   source.station("to"),
+                                   0,
+                                   0,
+                                   0.0,
+                                   {}});
+}
+
+LoggedEvent::What read_reroute(const Source& source) {
+  return read_way(source, LoggedReroute{source.n_if_any(),
+                                        source.worker(),
+                                        read_pose(source),
+                                        source.station("to"),
+                                        0,
+                                        0,
+                                        0.0,
+                                        {}});
+}
+
+LoggedEvent::What read_blocked(const Source& source) {
+  return LoggedBlocked{source.worker(), read_pose(source), source.station("to")};
+}
+
+LoggedEvent::What read_zone(const Source& source) {
+  return LoggedZone{source.fields.id<ZoneId>("zone", source.index.zones),
+                    source.fields.boolean("closed")};
 }
 
 LoggedEvent::What read_pick_up(const Source& source) {
@@ -164,6 +203,9 @@ const std::map<std::string, ReadEvent>& readers() {
       {"decision", read_decision},
       {"join", read_join},
       {"go", read_go},
+      {"reroute", read_reroute},
+      {"blocked", read_blocked},
+      {"zone", read_zone},
       {"pick_up", read_pick_up},
       {"put_down", read_put_down},
       {"berth", read_berth},

@@ -124,6 +124,12 @@ double LogFields::number(const char* key, double low, double high) const {
   wrong(key, fmt::format("a number from {:g} to {:g}", low, high));
 }
 
+bool LogFields::boolean(const char* key) const {
+  const Json& value = at(key);
+  if (!value.is_boolean()) wrong(key, "true or false");
+  return value.get<bool>();
+}
+
 const Json& LogFields::list(const char* key) const {
   const Json& value = at(key);
   if (!value.is_array()) wrong(key, "a list");

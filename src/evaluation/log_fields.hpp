@@ -61,6 +61,7 @@ class LogFields {
   [[nodiscard]] const std::string& text(const char* key) const;
   [[nodiscard]] std::int64_t integer(const char* key, std::int64_t low, std::int64_t high) const;
   [[nodiscard]] double number(const char* key, double low, double high) const;
+  [[nodiscard]] bool boolean(const char* key) const;
   [[nodiscard]] const Json& list(const char* key) const;
   [[nodiscard]] LogFields object(const char* key) const;
   [[nodiscard]] const Json& json() const { return object_; }

@@ -5,6 +5,8 @@
 #include <functional>
 #include <utility>
 
+#include "linewright/line/way_finder.hpp"
+
 namespace linewright::event_log {
 namespace {
 
@@ -30,6 +32,7 @@ class HeaderReader {
     read_operations();
     read_tasks();
     read_order();
+    read_zones();
     read_hall();
     return std::move(header_);
   }
@@ -175,6 +178,35 @@ class HeaderReader {
     header_.product = order.text("product");
     header_.quantity = order.integer("quantity", 0, kLargestAmount);
     header_.finished_in = order.id<PlaceId>("finished_in", index_.places);
+  }
+
+  void read_zones() {
+    if (fields_.find("zones") == nullptr) return;
+    if (fields_.list("zones").size() > kMostZones) {
+      fields_.wrong("zones", fmt::format("a list of at most {} zones", kMostZones));
+    }
+    each("zones", [&](const LogFields& entry) {
+      LogZone zone{entry.text("name"), {}, {}};
+      for (const Json& corner : entry.list("polygon")) {
+        const auto n = numbers_of(corner, 2, "a corner of " + entry.title(), where_);
+        zone.polygon.push_back({n[0], n[1]});
+      }
+      for (const Json& span : entry.list("closed")) zone.closed.push_back(span_of(span, entry));
+      index_.zones.add(zone.name, where_);
+      header_.zones.push_back(std::move(zone));
+    });
+  }
+
+  /// [tick, ticks] as from and until.
+  std::pair<Tick, Tick> span_of(const Json& span, const LogFields& zone) const {
+    const auto whole = [](const Json& number) {
+      return number.is_number_integer() && number.get<double>() >= 1 &&
+             number.get<double>() <= 2.0 * kMaxTicks;
+    };
+    if (!span.is_array() || span.size() != 2 || !whole(span[0]) || !whole(span[1])) {
+      zone.wrong("closed", "a list of [tick, ticks]");
+    }
+    return {span[0].get<Tick>(), span[0].get<Tick>() + span[1].get<Tick>()};
   }
 
   LogRectangle rectangle(const LogFields& fields, const char* key) const {

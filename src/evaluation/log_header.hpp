@@ -16,6 +16,7 @@ struct LogIndex {
   LogNames machines{"machine"};
   LogNames operations{"operation"};
   LogNames tasks{"task"};
+  LogNames zones{"zone"};
 };
 
 /// Reads the first line of a log and fills `index`. Throws ScenarioError.

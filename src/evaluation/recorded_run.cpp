@@ -68,6 +68,7 @@ class Reader {
     run_.setup.order = integer(record, "order", 1, 1'000'000).value_or(line_.order.quantity);
     run_.setup.horizon = line_.horizon.ticks(run_.setup.order);
     read_start(record);
+    read_closures(record);
     if (!record.contains("decisions") || !record["decisions"].is_array()) {
       problem("has no list 'decisions'",
               "write \"decisions\": [{\"tick\": 1, \"task\": ...}, ...]");
@@ -158,6 +159,36 @@ class Reader {
                 fmt::format("give at most {} of them", kMostOfAKind));
       }
     }
+  }
+
+  /// A log says when which zone was closed; else the scenario does.
+  void read_closures(const Json& record) {
+    if (!record.contains("zones")) {
+      run_.setup.closures = all_closures(line_, {});
+      return;
+    }
+    std::vector<std::string> names;
+    for (const Zone& zone : line_.zones) names.push_back(zone.name);
+    for (const Json& zone : record["zones"]) {
+      const std::string name = zone.value("name", std::string());
+      const auto found = std::find(names.begin(), names.end(), name);
+      if (found == names.end()) {
+        problem(fmt::format("zones: the line has no zone '{}'", name), name_hint(name, names));
+        continue;
+      }
+      for (const Json& span : zone["closed"]) {
+        const auto first = span[0].get<std::int64_t>();
+        const auto ticks = span[1].get<std::int64_t>();
+        if (first < 1 || first > kMaxTicks || ticks < 1 || ticks > kMaxTicks) {
+          problem(fmt::format("zone '{}' is closed at {}", name, shorten(span)),
+                  "write [tick, ticks]");
+          continue;
+        }
+        run_.setup.closures.push_back({static_cast<std::int32_t>(found - names.begin()),
+                                       static_cast<Tick>(first), static_cast<Tick>(first + ticks)});
+      }
+    }
+    run_.setup.closures = joined_closures(std::move(run_.setup.closures));
   }
 
   const Task* find_task(const std::string& name, std::size_t number, TaskId& id) {
@@ -298,6 +329,7 @@ class Reader {
     const Json order = head.value("order", Json::object());
     if (order.is_object() && order.contains("quantity")) record["order"] = order["quantity"];
     if (head.contains("horizon")) record["horizon"] = head["horizon"];
+    zones(head, record);
     for (const char* list : {"workers", "carriers"}) {
       const Json entries = head.value(list, Json::array());
       if (!entries.is_array()) continue;
@@ -307,6 +339,24 @@ class Reader {
         if (start.is_null()) start = Json::array();
         start.push_back(entry.value("start", Json()));
       }
+    }
+  }
+
+  /// Takes over the zones, as far as they are well-formed.
+  static void zones(const Json& head, Json& record) {
+    record["zones"] = Json::array();
+    const Json zones = head.value("zones", Json::array());
+    if (!zones.is_array()) return;
+    for (const Json& zone : zones) {
+      if (!zone.is_object() || !zone.contains("name") || !zone["name"].is_string()) continue;
+      Json spans = Json::array();
+      const Json closed = zone.value("closed", Json::array());
+      for (const Json& span : closed) {
+        const bool fits = span.is_array() && span.size() == 2 && span[0].is_number_integer() &&
+                          span[1].is_number_integer();
+        if (fits) spans.push_back(span);
+      }
+      record["zones"].push_back({{"name", zone["name"]}, {"closed", std::move(spans)}});
     }
   }
 

@@ -46,6 +46,29 @@ inline std::string joined(const std::vector<std::string>& lines) {
 
 inline std::string small_log() { return joined(small_log_lines()); }
 
+/// The beginning of the small log with a zone: robot.0 is on its way to rest and has to take
+/// another way, human.0 has none for a while.
+inline std::string zones_log() {
+  std::string header = small_log_lines()[0];
+  header.insert(
+      header.find("\"hall\""),
+      R"("zones":[{"name":"gate","polygon":[[1,1],[4,1],[4,4],[1,4]],"closed":[[4,8]]}],)");
+  return joined({
+      header,
+      R"({"t":2,"event":"go","worker":"robot.0","from":"dock","to":"rack","departs":2,"arrives":10,"metres":7.81})",
+      R"({"t":3,"event":"decision","n":1,"task":"bring","crew":{"human":["human.0"],"robot":[],"cage":["cage.0"]}})",
+      R"({"t":4,"event":"zone","zone":"gate","closed":true})",
+      R"({"t":4,"event":"reroute","worker":"robot.0","pose":[2,0,0],"to":"rack","departs":4,"arrives":20,"metres":9.5,"path":[[2,0,0,0],[5,6,0,1]]})",
+      R"({"t":5,"event":"go","n":1,"worker":"human.0","from":"desk","to":"rack","departs":5,"arrives":9,"metres":4.61})",
+      R"({"t":7,"event":"blocked","worker":"human.0","pose":[3,3,0.5],"to":"rack"})",
+      R"({"t":11,"event":"join","n":1,"worker":"robot.0","role":"robot"})",
+      R"({"t":12,"event":"zone","zone":"gate","closed":false})",
+      R"({"t":12,"event":"reroute","n":1,"worker":"human.0","pose":[3,3,0.5],"to":"rack","departs":12,"arrives":15,"metres":2.8})",
+      R"({"t":18,"event":"task_end","n":1,"task":"bring"})",
+      R"({"t":32,"event":"end","status":"finished","makespan":32,"progress":1.0})",
+  });
+}
+
 /// The small log with every `from` written as `to`.
 inline std::string small_log_with(const std::string& from, const std::string& to) {
   std::string text = small_log();

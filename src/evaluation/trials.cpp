@@ -43,14 +43,27 @@ class Bench {
 WorkerShares shares_of(const WorkerState& worker, Tick now) {
   // A horizon may cut off what is under way: count only up to now.
   const Tick assigned = worker.assigned_ticks + (worker.free() ? 0 : now - worker.since);
-  // Going to where one stands already is no travel (see Engine::begin_going).
-  const Tick under_way =
-      worker.from == worker.station ? 0 : std::max(0, worker.arrive - std::max(now, worker.depart));
-  const Tick travel = std::clamp(worker.travel_ticks - under_way, 0, assigned);
+  // Going to where one stands already is no travel, and going to rest is part of being idle.
+  const bool moves = worker.way_ticks > 0 && !worker.free();
+  const Tick under_way = moves ? std::max(0, worker.arrive - std::max(now, worker.depart)) : 0;
+  const Tick travel = std::clamp(worker.travel_ticks - worker.rest_ticks - under_way, 0, assigned);
   const Tick work = std::min(worker.work_ticks, assigned - travel);
   const double length = std::max(1, now);
   return {work / length, travel / length, (assigned - travel - work) / length,
           (length - assigned) / length};
+}
+
+struct UnwalkedRest {
+  Tick ticks = 0;
+  std::int64_t mm = 0;
+};
+
+/// What a worker on its way to rest has not gone of it when the run ends. (Ways of tasks count
+/// whole from their beginning, as they always have.)
+UnwalkedRest unwalked_rest(const WorkerState& worker, Tick now) {
+  if (!worker.free() || worker.no_way || worker.arrive <= now || worker.way_ticks == 0) return {};
+  const Tick left = worker.arrive - std::max(now, worker.depart);
+  return {left, worker.way_mm * left / std::max(1, worker.arrive - worker.depart)};
 }
 
 double mean_of(const std::vector<TrialResult>& trials, double (*value)(const TrialResult&)) {
@@ -101,8 +114,9 @@ TrialResult measure(const SimulationState& state, double progress) {
   result.progress = progress;
   result.decisions = state.decisions;
   for (const WorkerState& worker : state.workers) {
-    result.distance_mm += worker.travel_mm;
-    result.distance_ticks += worker.travel_ticks;
+    const UnwalkedRest unwalked = unwalked_rest(worker, state.now);
+    result.distance_mm += worker.travel_mm - unwalked.mm;
+    result.distance_ticks += worker.travel_ticks - unwalked.ticks;
     result.workers.push_back(shares_of(worker, state.now));
   }
   const double length = std::max(1, state.now);

@@ -60,7 +60,10 @@ std::vector<std::string> names_in_conditions(const NameTable& names) {
   std::vector<std::string> known = {"order"};
   for (std::size_t i = 0; i < kSections; ++i) {
     const auto section = static_cast<Section>(i);
-    if (section == Section::kStations || section == Section::kMilestones) continue;
+    if (section == Section::kStations || section == Section::kMilestones ||
+        section == Section::kZones) {
+      continue;
+    }
     const auto& more = names.names(section);
     known.insert(known.end(), more.begin(), more.end());
   }

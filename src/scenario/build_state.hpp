@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "linewright/scenario/load.hpp"
 #include "linewright/scenario/scenario.hpp"
 #include "names.hpp"
 #include "source_node.hpp"
@@ -24,6 +25,8 @@ struct BuildState {
   const SourceNode& root;  ///< checked against the key tables
   NameTable names;
   Scenario scenario;
+  LoadOptions options;
+  std::string route_cache_file;           ///< empty: routes are not kept
   bool may_read_files = true;             ///< false: the scenario is a text without a folder
   std::optional<std::uint64_t> map_hash;  ///< of the map file's content, where there is one
   std::vector<TaskSource> task_sources;   ///< by task id
@@ -77,6 +80,7 @@ void build_operations(BuildState& state);
 void build_tasks(BuildState& state);
 void build_run(BuildState& state);  ///< order, horizon, milestones and the rest
 void build_map(BuildState& state);
+void build_zones(BuildState& state);
 
 // Everything that needs the whole line. Entries with problems of their own are left out.
 void check_workers(const BuildState& state);

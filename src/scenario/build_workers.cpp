@@ -46,6 +46,27 @@ std::vector<StationId> start_stations(BuildState& state, const SourceNode& node,
   return stations;
 }
 
+/// Where a kind of worker rests; `rest` is one station or a list.
+void read_rest(BuildState& state, const SourceNode& node, const std::string& title,
+               WorkerKind& kind) {
+  kind.rest_after = integer_or(node, "rest_after", kind.rest_after);
+  const SourceNode* rest = node.find("rest");
+  if (rest == nullptr) {
+    if (node.find("rest_after") == nullptr) return;
+    state.problems.error(mark_of(node, "rest_after"),
+                         fmt::format("{}: 'rest_after' without a place to rest", title),
+                         "write rest: STATION, or remove it");
+    return;
+  }
+  const auto add = [&](const SourceNode& item) {
+    if (const auto id = reference(state, Section::kStations, item, title)) {
+      kind.rest.emplace_back(*id);
+    }
+  };
+  if (rest->is_scalar()) add(*rest);
+  for (const SourceNode& item : rest->items) add(item);
+}
+
 void build_worker(BuildState& state, std::int32_t id, const SourceNode& node) {
   const std::string title = state.names.title(Section::kWorkers, id);
   WorkerKind kind;
@@ -54,6 +75,8 @@ void build_worker(BuildState& state, std::int32_t id, const SourceNode& node) {
   kind.speed_mps = real_or(node, "speed_mps", kind.speed_mps);
   kind.radius_m = real_or(node, "radius_m", kind.radius_m);
   kind.turning_radius_m = real_or(node, "turning_radius_m", kind.turning_radius_m);
+  kind.turn_rate_radps = real_or(node, "turn_rate_radps", kind.turn_rate_radps);
+  kind.acceleration_mps2 = real_or(node, "acceleration_mps2", kind.acceleration_mps2);
   kind.min_leg_ticks = integer_or(node, "min_leg_ticks", kind.min_leg_ticks);
   if (const SourceNode* footprint = node.find("footprint_m")) {
     for (const SourceNode& item : footprint->items) {
@@ -61,6 +84,7 @@ void build_worker(BuildState& state, std::int32_t id, const SourceNode& node) {
     }
   }
   kind.start = start_stations(state, node, title);
+  read_rest(state, node, title, kind);
   state.line().worker_kinds.push_back(std::move(kind));
 }
 

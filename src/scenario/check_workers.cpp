@@ -64,6 +64,21 @@ void check_start(const BuildState& state, const StartRule& rule) {
   }
 }
 
+/// Where a kind rests it must have a pose.
+void check_rest(const BuildState& state, std::int32_t id, const WorkerKind& kind) {
+  if (kind.rest.empty() || !state.is_sound(Section::kWorkers, id)) return;
+  const SourceNode& rest = *state.names.node(Section::kWorkers, id).find("rest");
+  for (std::size_t i = 0; i < kind.rest.size(); ++i) {
+    const Station& station = state.line().stations[kind.rest[i].index()];
+    if (station.poses[static_cast<std::size_t>(id)]) continue;
+    state.problems.error(rest.is_list() ? rest.items[i].mark : rest.mark,
+                         fmt::format("{}: it rests at station {}, which has no pose for {}",
+                                     state.names.title(Section::kWorkers, id),
+                                     in_quotes(station.name), in_quotes(kind.name)),
+                         fmt::format("give the station {}: [x_m, y_m, yaw_rad]", kind.name));
+  }
+}
+
 }  // namespace
 
 void check_workers(const BuildState& state) {
@@ -73,6 +88,7 @@ void check_workers(const BuildState& state) {
     const auto id = static_cast<std::int32_t>(i);
     const WorkerKind& kind = line.worker_kinds[i];
     check_start(state, {Section::kWorkers, id, WorkerKindId(id), kind.start, kind.count});
+    check_rest(state, id, kind);
   }
   for (std::size_t i = 0; i < line.carrier_kinds.size(); ++i) {
     const auto id = static_cast<std::int32_t>(i);

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "limits.hpp"
+#include "linewright/line/way_finder.hpp"
 #include "shape.hpp"
 
 namespace linewright::loading {
@@ -128,6 +129,10 @@ ShapePtr start(const std::string& of) {
 
 ShapePtr rectangle() { return list(coordinate(), "[x0, x1, y0, y1]", 4, 4); }
 
+ShapePtr rest() {
+  return one_of({name("a station"), list(name("a station"), "a list of stations", 1)});
+}
+
 ShapePtr worker() {
   return mapping(
       "a mapping with the properties of a kind of worker",
@@ -138,6 +143,12 @@ ShapePtr worker() {
        key("footprint_m", list(real(1e-3, 100), "[length, width]", 2, 2),
            "Length and width, metres"),
        key("turning_radius_m", real(0, 1e3), "Metres; 0 turns on the spot. Default 0"),
+       key("turn_rate_radps", real(0, 1e3),
+           "Radians per second, turning on the spot; 0 takes no time. Default 0"),
+       key("acceleration_mps2", real(0, 1e3),
+           "Metres per second squared, from and to standstill; 0: full speed at once. Default 0"),
+       key("rest", rest(), "Where a worker without a task goes: the nearest of these stations"),
+       key("rest_after", ticks(), "Ticks without a task before it leaves for there. Default 0"),
        key("min_leg_ticks", ticks(), "A go or fetch lasts at least this long. Default 0"),
        key("start", start("worker"), "Drawn without replacement, or a list: worker i at entry i")});
 }
@@ -328,11 +339,43 @@ ShapePtr map() {
        key("obstacles", section("obstacle", obstacle()), "What nothing drives through")});
 }
 
+ShapePtr zone() {
+  const ShapePtr corner = list(coordinate(), "[x_m, y_m]", 2, 2);
+  const ShapePtr span = list(integer(1, kMaxTicks), "[tick, ticks]", 2, 2);
+  return mapping(
+      "a mapping with a rectangle or a polygon",
+      {key("rectangle", rectangle(), "x0, x1, y0, y1 in metres"),
+       key("polygon", list(corner, "a list of 3 to 100 corners [x_m, y_m]", 3, kMostCorners),
+           "Its corners in order, metres"),
+       key("closed", list(span, "a list of [tick, ticks]"),
+           "When it is closed: from the start of tick, for so many ticks")});
+}
+
 ShapePtr travel() {
   const ShapePtr leg = one_of({ticks(), list(real(0, kMaxTicks), "[ticks, metres]", 2, 2)});
   const ShapePtr row = names_to(leg, "a mapping {TO: ticks}", "", kMostStations);
   const ShapePtr table = names_to(row, "a table {FROM: {TO: ticks}}", "", kMostStations);
-  return names_to(one_of({choice({"straight", "grid"}), table}), "a mapping from kinds of workers");
+  return names_to(one_of({choice({"straight", "hybrid_a_star", "a_star", "dijkstra"}), table}),
+                  "a mapping from kinds of workers");
+}
+
+ShapePtr routes() {
+  return mapping(
+      "a mapping of options for planning routes",
+      {key("clearance_m", real(0.001, 0.5), "Kept free around the footprint. Default 0.01"),
+       key("headings", integer(16, 180), "Directions the search tells apart. Default 72"),
+       key("reverse_penalty", real(1, 5), "Factor on metres driven backwards. Default 1.05"),
+       key("direction_change_m", real(0, 5),
+           "Metres that a change of direction counts. Default 0.1"),
+       key("steering_change_m", real(0, 1),
+           "Metres that a change between straight and arc counts. Default 0.02"),
+       key("turn_m_per_rad", real(0, 5),
+           "Metres that a radian turned on the spot counts. Default 0.1"),
+       key("greed", real(1, 3),
+           "Factor on the estimate of what is left: faster, and longer ways. Default 1"),
+       key("smoothing_passes", integer(0, 10), "Default 3"),
+       key("most_expansions", integer(1, 100'000'000),
+           "Nodes after which the search for a way gives up. Default 3000000")});
 }
 
 ShapePtr order() {
@@ -377,6 +420,8 @@ Shape whole_scenario() {
        key("milestones", section("milestone", milestone()),
            "Names under which the log notes events"),
        key("map", map(), "The hall"),
+       key("zones", section("zone", zone(), kMostZones), "Parts of the floor that can be closed"),
+       key("routes", routes(), "How routes are planned on the map"),
        key("travel", travel(),
            "Per kind of worker: straight, grid, or a table {FROM: {TO: ticks}}")});
 }

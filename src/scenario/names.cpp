@@ -13,10 +13,11 @@
 namespace linewright::loading {
 namespace {
 
-constexpr std::array<const char*, kSections> kKeys = {
-    "workers", "carriers", "stations", "places", "machines", "operations", "tasks", "milestones"};
+constexpr std::array<const char*, kSections> kKeys = {"workers", "carriers",   "stations",
+                                                      "places",  "machines",   "operations",
+                                                      "tasks",   "milestones", "zones"};
 constexpr std::array<const char*, kSections> kNouns = {
-    "worker", "carrier", "station", "place", "machine", "operation", "task", "milestone"};
+    "worker", "carrier", "station", "place", "machine", "operation", "task", "milestone", "zone"};
 
 /// Conditions name all of these, so no two entries in them may share a name.
 constexpr std::array kInConditions = {Section::kWorkers,  Section::kCarriers,   Section::kPlaces,

@@ -25,8 +25,9 @@ enum class Section : std::uint8_t {
   kOperations,
   kTasks,
   kMilestones,
+  kZones,
 };
-inline constexpr std::size_t kSections = 8;
+inline constexpr std::size_t kSections = 9;
 
 /// "operations", the key in the file.
 [[nodiscard]] const char* section_key(Section section);
@@ -50,7 +51,7 @@ class NameTable {
     Section section;
     std::int32_t id;
   };
-  /// What a condition may mean by `name`: anything but stations and milestones.
+  /// What a condition may mean by `name`: anything but stations, milestones and zones.
   [[nodiscard]] std::optional<Found> find_in_conditions(std::string_view name) const;
 
   /// Everything below is by id. Tasks have their ids in the order of their numbers, all others in

@@ -44,6 +44,8 @@ std::vector<StationId> start_stations(const LineModel& line, WorkerKindId kind,
 NeededWays needed_ways(const LineModel& line, WorkerKindId kind) {
   std::set<StationId> targets;
   for (const Task& task : line.tasks) add_targets(line, task, kind, targets);
+  const std::vector<StationId>& rest = line.worker_kinds[kind.index()].rest;
+  targets.insert(rest.begin(), rest.end());
   std::set<StationId> origins = targets;
   const auto start = start_stations(line, kind, line.worker_kinds[kind.index()].start);
   origins.insert(start.begin(), start.end());

@@ -10,8 +10,8 @@ namespace linewright::loading {
 /// Stations between which the workers of one kind may have to move: from each of `from` to each of
 /// `to`. Both are in station order.
 struct NeededWays {
-  std::vector<StationId> from;  ///< where they start or are sent
-  std::vector<StationId> to;    ///< where tasks send them
+  std::vector<StationId> from;  ///< where they start, are sent or rest
+  std::vector<StationId> to;    ///< where tasks send them and where they rest
 };
 
 [[nodiscard]] NeededWays needed_ways(const LineModel& line, WorkerKindId kind);

@@ -28,9 +28,14 @@ PathPlannerOptions options_of(const BuildState& state) {
   options.turn_m_per_rad = real_or(*node, "turn_m_per_rad", options.turn_m_per_rad);
   options.greed = real_or(*node, "greed", options.greed);
   options.smoothing_passes = integer_or(*node, "smoothing_passes", options.smoothing_passes);
-  options.most_expansions = static_cast<std::size_t>(integer_or(
-      *node, "most_expansions", static_cast<std::int32_t>(options.most_expansions)));
+  options.most_expansions = static_cast<std::size_t>(
+      integer_or(*node, "most_expansions", static_cast<std::int32_t>(options.most_expansions)));
   return options;
+}
+
+/// From a point inside to the nearest side.
+double distance_to_edge_m(const Rectangle& r, Point2 p) {
+  return std::min({p.x_m - r.x0_m, r.x1_m - p.x_m, p.y_m - r.y0_m, r.y1_m - p.y_m});
 }
 
 /// "obstacle 'table'", the one nearest to the point, the map's file, or the edge.
@@ -58,12 +63,11 @@ bool check_size(BuildState& state, const RoutedKind& routed, const KindRoutes& k
   const Rectangle& hall = state.scenario.map->bounds;
   const double narrow_m = std::min(hall.x1_m - hall.x0_m, hall.y1_m - hall.y0_m);
   if (2.0 * kind.request.mover.footprint.inscribed_m() < narrow_m) return true;
-  state.problems.error(
-      routed.mark,
-      fmt::format("worker {} ({}) is larger than the hall, which is {:.2f} m wide",
-                  in_quotes(kind.request.kind), body_of(state.line().worker_kinds[routed.kind]),
-                  narrow_m),
-      "lengths are metres: check 'footprint_m', 'radius_m' and the map");
+  state.problems.error(routed.mark,
+                       fmt::format("worker {} ({}) is larger than the hall, which is {:.2f} m wide",
+                                   in_quotes(kind.request.kind),
+                                   body_of(state.line().worker_kinds[routed.kind]), narrow_m),
+                       "lengths are metres: check 'footprint_m', 'radius_m' and the map");
   return false;
 }
 

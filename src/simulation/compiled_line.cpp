@@ -166,6 +166,9 @@ void CompiledLine::lay_out() {
     const auto next = static_cast<std::int16_t>(materials.size());
     place_material.push_back(materials.try_emplace(of, next).first->second);
   }
+  has_side_events =
+      !line.zones.empty() || std::any_of(line.worker_kinds.begin(), line.worker_kinds.end(),
+                                         [](const WorkerKind& kind) { return !kind.rest.empty(); });
   for (const Task& task : line.tasks) most_executions += static_cast<std::size_t>(task.max_running);
 }
 

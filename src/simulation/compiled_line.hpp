@@ -122,6 +122,7 @@ struct CompiledLine {
   std::vector<std::vector<std::int32_t>> task_end_milestones;
   std::vector<std::vector<std::int32_t>> place_milestones;
   std::size_t most_executions = 0;
+  bool has_side_events = false;  ///< zones or resting: events without which nothing else would stop
 
   [[nodiscard]] std::size_t done_bit() const { return tasks.size(); }
   [[nodiscard]] CompiledCondition compile(const Condition& condition) const;

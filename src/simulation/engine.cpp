@@ -6,28 +6,35 @@
 namespace linewright {
 namespace {
 
-// The order of what ends within one tick: late joiners start, workers by number, operations in file
-// order, recoveries in file order (docs/formats/scenario.md, Semantics 2).
-constexpr std::uint32_t kStartOfRun = 0;
-constexpr std::uint32_t kJoin = 1U << 16;
-constexpr std::uint32_t kWorker = 2U << 16;
-constexpr std::uint32_t kOperation = 3U << 16;
-constexpr std::uint32_t kRecovery = 4U << 16;
-constexpr std::uint32_t kNumber = 0xffff;
+bool is_zone_event(const SimulationState::Event& event) {
+  return (event.order() & ~kEventNumber) == kZoneEvent;
+}
 
 }  // namespace
 
+ZoneSet closed_at(const SimulationState& state, Tick tick) {
+  ZoneSet closed = state.closed;
+  for (auto event = state.events.rbegin(); event != state.events.rend(); ++event) {
+    if (event->tick() > tick || !is_zone_event(*event)) break;
+    closed ^= ZoneSet{1} << (event->order() & kEventNumber);
+  }
+  return closed;
+}
+
 std::uint32_t Engine::join_order(std::int16_t worker) {
-  return kJoin + static_cast<std::uint32_t>(worker);
+  return kJoinEvent + static_cast<std::uint32_t>(worker);
 }
 std::uint32_t Engine::worker_order(std::int16_t worker) {
-  return kWorker + static_cast<std::uint32_t>(worker);
+  return kWorkerEvent + static_cast<std::uint32_t>(worker);
 }
 std::uint32_t Engine::operation_order(std::int32_t operation) {
-  return kOperation + static_cast<std::uint32_t>(operation);
+  return kOperationEvent + static_cast<std::uint32_t>(operation);
 }
 std::uint32_t Engine::recovery_order(std::int32_t operation) {
-  return kRecovery + static_cast<std::uint32_t>(operation);
+  return kRecoveryEvent + static_cast<std::uint32_t>(operation);
+}
+std::uint32_t Engine::rest_order(std::int16_t worker) {
+  return kRestEvent + static_cast<std::uint32_t>(worker);
 }
 
 void Engine::reset(const RunSetup& setup) {
@@ -36,6 +43,7 @@ void Engine::reset(const RunSetup& setup) {
   state_.order = setup.order;
   state_.status = RunStatus::kRunning;
   state_.decisions = state_.serials = state_.missing = 0;
+  state_.closed = 0;
   state_.values.assign(static_cast<std::size_t>(compiled_.layout.size), 0);
   state_.dirty_operations.assign(compiled_.operation_words, ~std::uint64_t{0});
   state_.dirty_tasks.assign(compiled_.task_words, ~std::uint64_t{0});
@@ -89,13 +97,22 @@ void Engine::reset(const RunSetup& setup) {
     refresh_carriers(static_cast<std::int16_t>(k));
   }
   // As many events as can ever be pending, so that the steady state allocates nothing.
-  state_.events.reserve(line_.operations.size() * 2 + state_.workers.size() + 8);
+  state_.events.reserve(line_.operations.size() * 2 + state_.workers.size() * 2 +
+                        setup.closures.size() * 2 + 8);
   state_.waiting.reserve(state_.workers.size());
   if (log_ != nullptr) {
     log_->setup = setup;
     log_->events.clear();
   }
   schedule(1, kStartOfRun);
+  for (const Closure& closure : setup.closures) {
+    for (const Tick tick : {closure.first, closure.open}) {
+      schedule(tick, kZoneEvent + static_cast<std::uint32_t>(closure.zone));
+    }
+  }
+  for (std::size_t w = 0; w < state_.workers.size(); ++w) {
+    begin_waiting_to_rest(static_cast<std::int16_t>(w));
+  }
   refresh_selectable();
 }
 
@@ -112,13 +129,30 @@ void Engine::schedule(Tick tick, std::uint32_t order, std::int32_t operator_work
   events[at] = {.when = when, .operator_worker = operator_worker};
 }
 
+void Engine::unschedule(std::uint32_t order) {
+  auto& events = state_.events;
+  const auto found = std::find_if(events.begin(), events.end(),
+                                  [&](const auto& event) { return event.order() == order; });
+  if (found != events.end()) events.erase(found);
+}
+
+bool Engine::more_can_happen() const {
+  if (!compiled_.has_side_events || state_.events.empty()) return !state_.events.empty();
+  // Who rests changes nothing, and a zone that opens helps only who waits for a way.
+  const bool waits = std::any_of(state_.workers.begin(), state_.workers.end(),
+                                 [](const auto& w) { return w.no_way && !w.free(); });
+  return std::any_of(state_.events.begin(), state_.events.end(), [&](const auto& event) {
+    return is_zone_event(event) ? waits : event.order() < kRestEvent;
+  });
+}
+
 RunStatus Engine::advance() {
   while (!state_.ended()) {
     if (state_.now < state_.horizon) {
       if (find_join(compiled_, state_)) return state_.status = RunStatus::kJoin;
       if (any_selectable()) return state_.status = RunStatus::kDecision;
     }
-    if (state_.events.empty()) {
+    if (!more_can_happen()) {
       // What could go on has run out of time; else more time would not help.
       const bool possible = any_selectable() || find_join(compiled_, state_);
       return end(possible ? RunStatus::kHorizon : RunStatus::kDeadlock, state_.now);
@@ -138,7 +172,7 @@ RunStatus Engine::advance_to(Tick tick) {
     }
     if (state_.now >= tick) break;
     const bool idle = state_.events.empty();
-    if (idle && !any_selectable() && !find_join(compiled_, state_)) {
+    if (!more_can_happen() && !any_selectable() && !find_join(compiled_, state_)) {
       return end(RunStatus::kDeadlock, state_.now);
     }
     const Tick next = idle ? tick : std::min(tick, state_.events.back().tick());
@@ -177,6 +211,10 @@ void Engine::process_tick(Tick tick) {
   do {
     while (!state_.events.empty() && state_.events.back().tick() == tick) {
       const SimulationState::Event event = state_.events.back();
+      if (is_zone_event(event)) {
+        change_zones(tick);
+        continue;
+      }
       state_.events.pop_back();
       handle(event);
     }
@@ -194,19 +232,22 @@ void Engine::process_tick(Tick tick) {
 
 void Engine::handle(const SimulationState::Event& event) {
   const std::uint32_t order = event.order();
-  const auto number = static_cast<std::int32_t>(order & kNumber);
-  switch (order & ~kNumber) {
-    case kJoin:
+  const auto number = static_cast<std::int32_t>(order & kEventNumber);
+  switch (order & ~kEventNumber) {
+    case kJoinEvent:
       begin_joined(static_cast<std::int16_t>(number));
       break;
-    case kWorker:
+    case kWorkerEvent:
       end_phase(static_cast<std::int16_t>(number));
       break;
-    case kOperation:
+    case kOperationEvent:
       end_operation(number, event.operator_worker);
       break;
-    case kRecovery:
+    case kRecoveryEvent:
       end_recovery(number);
+      break;
+    case kRestEvent:
+      go_to_rest(static_cast<std::int16_t>(number));
       break;
     default:
       break;  // kStartOfRun: only makes tick 1 happen

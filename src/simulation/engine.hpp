@@ -8,8 +8,25 @@
 #include "linewright/simulation/event_log.hpp"
 #include "linewright/simulation/simulator.hpp"
 #include "linewright/simulation/state.hpp"
+#include "ways.hpp"
 
 namespace linewright {
+
+// The order of events within one tick: zones close and open, late joiners start, workers by number,
+// operations in file order, recoveries in file order, who has nothing to do leaves to rest
+// (docs/formats/scenario.md, Semantics 2). The number of what it is about is in the lower half.
+inline constexpr std::uint32_t kZoneEvent = 0;
+inline constexpr std::uint32_t kStartOfRun = 1U << 16;
+inline constexpr std::uint32_t kJoinEvent = 2U << 16;
+inline constexpr std::uint32_t kWorkerEvent = 3U << 16;
+inline constexpr std::uint32_t kOperationEvent = 4U << 16;
+inline constexpr std::uint32_t kRecoveryEvent = 5U << 16;
+inline constexpr std::uint32_t kRestEvent = 6U << 16;
+inline constexpr std::uint32_t kEventNumber = 0xffff;
+
+/// The zones that are closed once the zone events of `tick` have happened, none of an earlier tick
+/// being due.
+[[nodiscard]] ZoneSet closed_at(const SimulationState& state, Tick tick);
 
 /// The oldest execution with a missing member of whose kind one is free.
 [[nodiscard]] std::optional<PendingJoin> find_join(const CompiledLine& compiled,
@@ -31,18 +48,36 @@ class Engine {
  private:
   // engine.cpp: the clock
   void process_tick(Tick tick);
+  [[nodiscard]] bool more_can_happen() const;
   void handle(const SimulationState::Event& event);
   bool start_waiting_actions();
   bool start_waiting(std::int16_t worker);
   bool start_operations();
   RunStatus end(RunStatus status, Tick tick);
   void schedule(Tick tick, std::uint32_t order, std::int32_t operator_worker = -1);
+  void unschedule(std::uint32_t order);
   void refresh_selectable();
   [[nodiscard]] bool any_selectable() const;
   static std::uint32_t join_order(std::int16_t worker);
   static std::uint32_t worker_order(std::int16_t worker);
   static std::uint32_t operation_order(std::int32_t operation);
   static std::uint32_t recovery_order(std::int32_t operation);
+  static std::uint32_t rest_order(std::int16_t worker);
+
+  // engine_ways.cpp: ways that begin between stations, zones, resting
+  void change_zones(Tick tick);
+  void answer_zones(std::int16_t worker, ZoneSet before);
+  void try_again(std::int16_t worker);
+  void set_out(std::int16_t worker, std::int16_t to, Tick depart);
+  void leave_way(std::int16_t worker);
+  void follow(std::int16_t worker, const Departure& way, std::int16_t to, Tick depart, Tick least);
+  void lose_way(std::int16_t worker, std::int16_t to, Tick depart);
+  void schedule_arrival(std::int16_t worker);
+  [[nodiscard]] std::int16_t goal_of(const WorkerState& worker) const;
+  [[nodiscard]] std::int32_t serial_of(const WorkerState& worker) const;
+  void go_to_rest(std::int16_t worker);
+  void begin_waiting_to_rest(std::int16_t worker);
+  void interrupt_rest(std::int16_t worker);
 
   // engine_net.cpp: tokens, machines, operations
   void set(std::int32_t variable, std::int32_t value);

@@ -39,6 +39,9 @@ void Engine::begin_action(std::int16_t id) {
   } else if (const auto* fetch = std::get_if<FetchAction>(&action.what)) {
     const Execution& execution = state_.executions[at(worker.execution)];
     begin_going(id, state_.carriers[at(execution.members[fetch->carrier_slot])].station);
+  } else if (worker.arrive > state_.now || worker.no_way) {
+    worker.phase = WorkerState::Phase::kArriving;
+    if (!worker.no_way) schedule(worker.arrive, worker_order(id));
   } else if (action.before > 0) {
     worker.phase = WorkerState::Phase::kBefore;
     schedule(state_.now + action.before, worker_order(id));
@@ -50,24 +53,9 @@ void Engine::begin_action(std::int16_t id) {
 void Engine::begin_going(std::int16_t id, std::int16_t to) {
   WorkerState& worker = state_.workers[at(id)];
   const Action& action = action_of(worker);
-  const Leg& leg = line_.travel[at(worker.kind)].leg(StationId(std::int32_t{worker.station}),
-                                                     StationId(std::int32_t{to}));
-  const Tick travel = std::max(leg.ticks, line_.worker_kinds[at(worker.kind)].min_leg_ticks);
-  worker.from = worker.station;
-  worker.station = to;
-  worker.depart = state_.now + action.before;
-  worker.arrive = worker.depart + travel;
   worker.phase = WorkerState::Phase::kMain;
-  worker.travel_ticks += leg.ticks > 0 ? travel : 0;
-  worker.travel_mm += static_cast<std::int64_t>(leg.metres * 1000.0 + 0.5);
-  note({.tick = state_.now,
-        .type = LogEvent::Type::kGo,
-        .a = id,
-        .b = state_.executions[at(worker.execution)].serial,
-        .c = worker.from,
-        .d = to,
-        .e = worker.depart,
-        .until = worker.arrive});
+  set_out(id, to, state_.now + action.before);
+  if (worker.no_way) return;
   if (worker.arrive == state_.now) {
     end_main(id);
   } else {
@@ -154,8 +142,12 @@ void Engine::end_phase(std::int16_t id) {
         end_main(id);
       }
       break;
+    case WorkerState::Phase::kArriving:
+      begin_action(id);
+      break;
     case WorkerState::Phase::kNone:
     case WorkerState::Phase::kWaiting:
+    case WorkerState::Phase::kNoWay:
       break;
   }
 }

@@ -25,6 +25,7 @@ void Engine::assign(const Assignment& assignment) {
   execution.members = assignment.members;
   ++state_.decisions;
   state_.now = tick;
+  change_zones(tick);
   note({.tick = tick,
         .type = LogEvent::Type::kDecision,
         .a = assignment.task.value,
@@ -122,6 +123,7 @@ void Engine::join(PendingJoin pending, WorkerId worker) {
 
 void Engine::bind_worker(std::int16_t id, std::int16_t execution, std::size_t slot) {
   WorkerState& worker = state_.workers[at(id)];
+  if (compiled_.has_side_events) interrupt_rest(id);
   worker.execution = execution;
   worker.slot = static_cast<std::int16_t>(slot);
   worker.action = -1;
@@ -138,6 +140,7 @@ void Engine::unbind_worker(std::int16_t id) {
   worker.phase = WorkerState::Phase::kNone;
   worker.assigned_ticks += state_.now - worker.since;
   worker.since = state_.now;
+  begin_waiting_to_rest(id);
   add(compiled_.layout.worker_free(worker.kind), 1);
 }
 

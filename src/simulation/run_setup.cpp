@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <numeric>
 #include <utility>
 
@@ -74,7 +75,48 @@ std::vector<StationId> place(const LineModel& line, WorkerKindId kind,
   return {fixed.begin(), fixed.begin() + count};
 }
 
+void check_closures(const LineModel& line, const std::vector<Closure>& closures) {
+  for (const Closure& closure : closures) {
+    if (closure.zone < 0 || static_cast<std::size_t>(closure.zone) >= line.zones.size()) {
+      throw ScenarioError({}, fmt::format("line '{}' has no zone {}", line.name, closure.zone),
+                          fmt::format("it has {} zones", line.zones.size()));
+    }
+    if (closure.first < 1 || closure.first > kMaxTicks || closure.open <= closure.first ||
+        closure.open > 2 * kMaxTicks) {
+      throw ScenarioError(
+          {},
+          fmt::format("zone '{}' cannot be closed from tick {} to tick {}",
+                      line.zones[static_cast<std::size_t>(closure.zone)].name, closure.first,
+                      closure.open),
+          fmt::format("close it from a tick up to {} on, for 1 tick or more", kMaxTicks));
+    }
+  }
+}
+
 }  // namespace
+
+std::vector<Closure> joined_closures(std::vector<Closure> closures) {
+  std::sort(closures.begin(), closures.end());
+  std::vector<Closure> joined;
+  for (const Closure& closure : closures) {
+    if (!joined.empty() && joined.back().zone == closure.zone &&
+        closure.first <= joined.back().open) {
+      joined.back().open = std::max(joined.back().open, closure.open);
+    } else {
+      joined.push_back(closure);
+    }
+  }
+  return joined;
+}
+
+std::vector<Closure> all_closures(const LineModel& line, std::vector<Closure> more) {
+  for (std::size_t z = 0; z < line.zones.size(); ++z) {
+    for (const auto& [first, open] : line.zones[z].closed) {
+      more.push_back({static_cast<std::int32_t>(z), first, open});
+    }
+  }
+  return joined_closures(std::move(more));
+}
 
 void check_setup(const LineModel& line, const RunSetup& setup) {
   if (setup.order < 1 || setup.order > kMostProducts) {
@@ -98,6 +140,7 @@ void check_setup(const LineModel& line, const RunSetup& setup) {
   }
   refuse_too_many(setup.worker_start, "workers");
   refuse_too_many(setup.carrier_start, "carriers");
+  check_closures(line, setup.closures);
 }
 
 RunSetup sample_setup(const LineModel& line, const RunOptions& options, std::uint64_t seed) {
@@ -119,6 +162,8 @@ RunSetup sample_setup(const LineModel& line, const RunOptions& options, std::uin
     setup.carrier_start.push_back(place(line, carrier.moved_by, carrier.start, count,
                                         RandomStream::derive(seed, "carrier_start", k)));
   }
+  check_closures(line, options.closures);
+  setup.closures = all_closures(line, options.closures);
   check_setup(line, setup);
   return setup;
 }

@@ -1,7 +1,7 @@
 #include "linewright/simulation/simulator.hpp"
 
 #include <algorithm>
-#include <cmath>
+#include <limits>
 #include <utility>
 
 #include "compiled_line.hpp"
@@ -114,37 +114,42 @@ double Simulator::progress(const SimulationState& state) const {
 }
 
 Pose2 Simulator::worker_pose(const SimulationState& state, WorkerId id, Tick at) const {
-  const WorkerState& worker = state.workers[id.index()];
-  const auto kind = static_cast<std::size_t>(worker.kind);
-  const auto pose = [&](std::int16_t station) {
-    return line_->stations[static_cast<std::size_t>(station)].poses[kind].value_or(Pose2{});
-  };
-  const Pose2 to = pose(worker.station);
-  if (at >= worker.arrive || worker.arrive <= worker.depart) return to;
-  const Pose2 from = pose(worker.from);
-  if (at <= worker.depart) return from;
-
-  const std::vector<WayPoint>& path = line_->travel[kind].path(
-      StationId(std::int32_t{worker.from}), StationId(std::int32_t{worker.station}));
-  const double share =
-      static_cast<double>(at - worker.depart) / static_cast<double>(worker.arrive - worker.depart);
-  if (!path.empty()) return pose_on(path, share);
-  const double heading = std::atan2(to.y_m - from.y_m, to.x_m - from.x_m);
-  return {from.x_m + share * (to.x_m - from.x_m), from.y_m + share * (to.y_m - from.y_m), heading};
+  return pose_at(*line_, state.workers[id.index()], at);
 }
 
 Leg Simulator::route_from_worker(const SimulationState& state, WorkerId id, StationId to) const {
   const WorkerState& worker = state.workers[id.index()];
   const auto kind = static_cast<std::size_t>(worker.kind);
   const StationId at(std::int32_t{worker.station});
+  if (compiled_->has_side_events && worker.free()) {
+    return departure(*line_, worker, to, state.now + 1, closed_at(state, state.now + 1)).leg;
+  }
   Leg leg = line_->travel[kind].leg(at, to);
   if (worker.arrive <= state.now || leg.ticks < 0) return leg;
   // Under way: the rest of that way comes first.
-  const Leg whole = line_->travel[kind].leg(StationId(std::int32_t{worker.from}), at);
   const Tick rest = worker.arrive - std::max(state.now, worker.depart);
   leg.ticks += worker.arrive - state.now;
-  leg.metres += whole.metres * rest / std::max(1, worker.arrive - worker.depart);
+  leg.metres += static_cast<double>(worker.way_mm) / 1000.0 * rest /
+                std::max(1, worker.arrive - worker.depart);
   return leg;
+}
+
+StationId Simulator::snapped_station(const SimulationState& state, WorkerId id) const {
+  const WorkerState& worker = state.workers[id.index()];
+  const auto kind = static_cast<std::size_t>(worker.kind);
+  StationId nearest(std::int32_t{worker.station});
+  if (!between_stations(worker, state.now)) {
+    return worker.arrive > state.now ? StationId(std::int32_t{worker.from}) : nearest;
+  }
+  const Point2 here = pose_at(*line_, worker, state.now).point();
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t s = 0; s < line_->stations.size(); ++s) {
+    const auto& pose = line_->stations[s].poses[kind];
+    if (!pose || distance_m(here, pose->point()) >= least) continue;
+    least = distance_m(here, pose->point());
+    nearest = StationId(s);
+  }
+  return nearest;
 }
 
 }  // namespace linewright

@@ -30,6 +30,8 @@ using TaskId = Id<struct TaskTag>;
 using WorkerKindId = Id<struct WorkerKindTag>;
 /// A kind of carrier (cage, ...), not a single one.
 using CarrierKindId = Id<struct CarrierKindTag>;
+/// A part of the floor that can be closed.
+using ZoneId = Id<struct ZoneTag>;
 /// One worker of a run; workers are numbered kind by kind.
 using WorkerId = Id<struct WorkerTag>;
 /// One carrier of a run; carriers are numbered kind by kind.

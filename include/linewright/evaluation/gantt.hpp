@@ -18,6 +18,7 @@ enum class GanttKind : std::uint8_t {
   kWorking,     ///< a machine in an operation
   kHeld,        ///< a machine kept between two operations
   kRecovering,  ///< a machine after an operation, before it is free
+  kClosed,      ///< a zone that may not be entered
 };
 
 /// From the beginning of `begin` to the beginning of `end`; begin < end.

@@ -7,6 +7,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -87,6 +88,12 @@ struct LogHall {
   std::vector<LogObstacle> obstacles;
 };
 
+struct LogZone {
+  std::string name;
+  std::vector<Point2> polygon;
+  std::vector<std::pair<Tick, Tick>> closed;  ///< first tick, first tick in which it is open again
+};
+
 struct LogHeader {
   std::string line;
   std::string scenario_hash;
@@ -102,6 +109,7 @@ struct LogHeader {
   std::vector<std::string> machines;
   std::vector<LogOperation> operations;
   std::vector<LogTask> tasks;
+  std::vector<LogZone> zones;
   std::optional<LogHall> hall;
 };
 
@@ -112,7 +120,8 @@ struct LoggedRole {
   std::vector<CarrierId> carriers;
 };
 
-// What can happen. `n` is the number of the decision whose task it belongs to.
+// What can happen. `n` is the number of the decision whose task it belongs to (0, where a worker
+// may be in no task: it is on its way to rest).
 
 struct LoggedDecision {
   std::int32_t n = 0;
@@ -133,6 +142,25 @@ struct LoggedGo {
   Tick arrives = 0;
   double metres = 0.0;
   std::vector<WayPoint> path;  ///< empty: the straight line
+};
+struct LoggedReroute {
+  std::int32_t n = 0;
+  WorkerId worker;
+  Pose2 pose;
+  StationId to;
+  Tick departs = 0;
+  Tick arrives = 0;
+  double metres = 0.0;
+  std::vector<WayPoint> path;
+};
+struct LoggedBlocked {
+  WorkerId worker;
+  Pose2 pose;
+  StationId to;
+};
+struct LoggedZone {
+  ZoneId zone;
+  bool closed = false;
 };
 struct LoggedPickUp {
   std::int32_t n = 0;
@@ -186,7 +214,8 @@ struct LoggedMilestone {
 struct LoggedEvent {
   using What = std::variant<LoggedDecision, LoggedJoin, LoggedGo, LoggedPickUp, LoggedPutDown,
                             LoggedBerth, LoggedTransfer, LoggedOperationStart, LoggedOperationEnd,
-                            LoggedRecoveryEnd, LoggedRelease, LoggedTaskEnd, LoggedMilestone>;
+                            LoggedRecoveryEnd, LoggedRelease, LoggedTaskEnd, LoggedMilestone,
+                            LoggedReroute, LoggedBlocked, LoggedZone>;
 
   Tick tick = 0;
   What what;
@@ -201,8 +230,9 @@ struct LoggedEnd {
 };
 
 /// One run. Every id is valid, ticks never run backwards, decisions are numbered 1, 2, 3, ... and
-/// every `n` is that of an earlier decision. Ends of ways, transfers and operations are not before
-/// their beginning; they may lie beyond the end of the run.
+/// every `n` is that of an earlier decision; a zone closes only when open and opens when closed.
+/// Ends of ways, transfers and operations are not before their beginning; they may lie beyond the
+/// end of the run.
 struct LogDocument {
   LogHeader header;
   std::vector<LoggedEvent> events;

@@ -6,9 +6,11 @@
 #include <string>
 #include <vector>
 
+#include "linewright/base/diagnostic.hpp"
 #include "linewright/line/line_model.hpp"
 #include "linewright/map/occupancy_grid.hpp"
 #include "linewright/map/polygon.hpp"
+#include "linewright/routing/map_ways.hpp"
 
 namespace linewright {
 
@@ -34,6 +36,10 @@ struct HallMap {
 struct Scenario {
   LineModel line;
   std::optional<HallMap> map;
+  /// By worker kind; none: its ways are measured, or straight lines.
+  std::vector<std::optional<KindRoutes>> routes;
+  /// What is odd but no error, for the user.
+  std::vector<Diagnostic> warnings;
   std::string file;  ///< as the user named it
   std::uint64_t content_hash =
       0;  ///< of the resolved text (files merged) and the map file; the same on every platform

@@ -6,6 +6,7 @@
 
 #include "linewright/base/tick.hpp"
 #include "linewright/simulation/assignment.hpp"
+#include "linewright/simulation/course.hpp"
 #include "linewright/simulation/run_setup.hpp"
 #include "linewright/simulation/state.hpp"
 
@@ -19,8 +20,12 @@ struct LogEvent {
     kJoin,      ///< a = worker, b = serial, c = crew slot
     kTaskEnd,   ///< a = task, b = serial
     kRelease,   ///< a = worker, b = serial
-    kGo,        ///< a = worker, b = serial, c = from station, d = to station, e = departure,
-                ///< until = arrival
+    kGo,        ///< a = worker, b = serial (-1: free), c = from station, d = to station, e =
+                ///< departure, until = arrival, course
+    kReroute,   ///< as kGo, from between two stations: a course from a pose, or one that turns
+                ///< (which begins at course.origin, too)
+    kBlocked,   ///< a = worker, d = to station; course.origin: where it waits
+    kZone,      ///< a = zone, b = 1: it closes, 0: it opens
     kPickUp,    ///< a = worker, b = serial, c = carrier
     kPutDown,   ///< a = worker (or -1), b = serial, c = carrier, d = berth or -1, e = station
     kBerth,  ///< a = carrier, b = serial, c = berth: counts as standing there from now on, though
@@ -43,6 +48,7 @@ struct LogEvent {
   std::int32_t e = -1;
   Tick until = 0;
   std::array<std::int16_t, kMaxCrew> members{};
+  Course course;
 };
 
 /// Everything that happened in a run, in order. With its setup and its line it suffices to draw,

@@ -25,7 +25,8 @@ struct PendingJoin {
 
 /// The deterministic discrete-event simulator of one line (docs/formats/scenario.md, Semantics).
 /// Holds no run: the state is the caller's, so one Simulator serves any number of runs and threads
-/// at once. Event by event, in whole ticks; no allocation once a state has been reset for the line.
+/// at once. Event by event, in whole ticks; no allocation once a state has been reset for the line
+/// (but for ways that the line's WayFinder has not been asked for before).
 class Simulator {
  public:
   explicit Simulator(std::shared_ptr<const LineModel> line);
@@ -90,10 +91,16 @@ class Simulator {
   /// Where the worker is at the end of tick `at` (state.now or later, as far as its way is known).
   [[nodiscard]] Pose2 worker_pose(const SimulationState& state, WorkerId worker, Tick at) const;
 
-  /// Ticks of way from where the worker really is (the rest of its way first) to the station; -1:
-  /// none.
+  /// The way to the station. Of a free worker: exactly what it would need if a task of tick now + 1
+  /// sent it there at once (min_leg_ticks apart), from wherever it is then; of a busy one: the rest
+  /// of its way, then the line's own. Ticks -1: there is none (with closed zones: none now).
   [[nodiscard]] Leg route_from_worker(const SimulationState& state, WorkerId worker,
                                       StationId to) const;
+
+  /// The station with a pose for its kind that is nearest, in a straight line, to where the worker
+  /// is at the end of tick state.now; the one where it stands, if it stands at one. Ties: the
+  /// first.
+  [[nodiscard]] StationId snapped_station(const SimulationState& state, WorkerId worker) const;
 
  private:
   [[nodiscard]] bool assignable(const SimulationState& state, const Assignment& assignment) const;

@@ -7,6 +7,7 @@
 #include "linewright/base/id.hpp"
 #include "linewright/base/tick.hpp"
 #include "linewright/simulation/assignment.hpp"
+#include "linewright/simulation/course.hpp"
 
 namespace linewright {
 
@@ -21,10 +22,20 @@ enum class RunStatus : std::uint8_t {
   kRunning,   ///< between the above; `Simulator::advance` goes on
 };
 
-/// One worker of the run. While it moves, `from` and `station` are the ends of its way and
-/// `depart`, `arrive` the ticks; standing, `station` is where it stands and `arrive` <= now.
+/// One worker of the run. While it moves, `from` and `station` are the ends of its way, `course` is
+/// the line it follows and `depart`, `arrive` are the ticks; standing, `station` is where it stands
+/// and `arrive` <= now. With `no_way` it stands where it had to stop: at `course.origin`, on its
+/// way to `station` (a course from a pose), or at `station`.
 struct WorkerState {
-  enum class Phase : std::uint8_t { kNone, kBefore, kMain, kWaiting, kAfter };
+  enum class Phase : std::uint8_t {
+    kNone,
+    kBefore,
+    kMain,
+    kWaiting,  ///< for tokens, room or machines
+    kAfter,
+    kArriving,  ///< its first action is no way, and it was called on its way to where it rests
+    kNoWay,     ///< its way leads through a closed zone
+  };
 
   std::int16_t kind = 0;
   std::int16_t station = 0;
@@ -34,13 +45,18 @@ struct WorkerState {
   std::int16_t carrier = -1;    ///< the carrier it holds
   std::int16_t action = -1;     ///< index within its sequence of the current step
   Phase phase = Phase::kNone;
+  bool no_way = false;     ///< there is none while the zones are closed that are: it waits
   std::int32_t items = 0;  ///< items moved in the current transfer
   Tick depart = 0;
   Tick arrive = 0;
   Tick since = 0;       ///< tick of the assignment, or of becoming free
   Tick work_since = 0;  ///< when the item in hand was picked up or the operation started
+  Course course;
+  Tick way_ticks = 0;       ///< of the way it is on (or was last), as counted in travel_ticks
+  std::int64_t way_mm = 0;  ///< the same in travel_mm
   // Totals of the run so far.
   Tick travel_ticks = 0;
+  Tick rest_ticks = 0;  ///< those of travel_ticks in which it was free: on its way to rest
   Tick work_ticks = 0;
   Tick assigned_ticks = 0;
   std::int64_t travel_mm = 0;
@@ -103,6 +119,7 @@ struct SimulationState {
   std::int32_t decisions = 0;
   std::int32_t serials = 0;
   std::int32_t missing = 0;          ///< crew slots of running tasks that a late joiner has to fill
+  ZoneSet closed = 0;                ///< the zones that are closed
   std::vector<std::int32_t> values;  ///< everything a condition can read; see CompiledLine
   std::vector<std::uint64_t> dirty_operations;
   std::vector<std::uint64_t> dirty_tasks;
