@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 #include <sys/wait.h>
+#include <unistd.h>
 
 #include <array>
 #include <cstdio>
@@ -30,7 +31,8 @@ std::string read_file(const std::string& file) {
 }
 
 Output linewright(const std::string& arguments) {
-  const std::string errors = ::testing::TempDir() + "/linewright_cli_errors.txt";
+  const std::string errors = ::testing::TempDir() + "/linewright_cli_errors_" +
+                             std::to_string(getpid()) + ".txt";  // tests may run side by side
   const std::string command = std::string(LINEWRIGHT_CLI) + " " + arguments + " 2>" + errors;
   Output output;
   FILE* pipe = popen(command.c_str(), "r");
