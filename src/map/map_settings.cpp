@@ -99,6 +99,7 @@ class SettingsReader {
 
   void check_keys() {
     std::vector<std::string> names;
+    names.reserve(kKeys.size());
     for (const Key& key : kKeys) names.emplace_back(key.name);
     constexpr std::size_t kMostHints = 20;  // comparing with every name takes time
     for (const Entry& entry : entries_) {

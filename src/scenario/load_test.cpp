@@ -266,7 +266,9 @@ class MapOfAnExtendedFile : public testing::Test {
   }
   [[nodiscard]] Scenario load() const { return load_scenario(folder_ + "/line.yaml"); }
 
-  std::string folder_ = testing::TempDir() + "/map_of_an_extended_file";
+  // One per test: they may run at the same time.
+  std::string folder_ = testing::TempDir() + "/map_of_an_extended_file_" +
+                        testing::UnitTest::GetInstance()->current_test_info()->name();
 };
 
 TEST_F(MapOfAnExtendedFile, IsFoundBesideTheFileThatNamesIt) {
