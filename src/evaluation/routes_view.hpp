@@ -1,0 +1,43 @@
+#pragma once
+
+#include <string>
+
+#include "linewright/routing/path.hpp"
+#include "linewright/scenario/scenario.hpp"
+
+// From metres to pixels, for pictures of the hall.
+namespace linewright::routes {
+
+/// A place in a panel: y downwards.
+struct Pixel {
+  double x = 0.0;
+  double y = 0.0;
+};
+
+/// Maps the hall into a panel: as large as fits, in the middle, with room around it for names.
+struct View {
+  Rectangle hall;
+  double scale = 1.0;  ///< pixels per metre
+  double width = 0.0;  ///< of the panel, pixels
+  double height = 0.0;
+
+  [[nodiscard]] Pixel at(Point2 point) const;
+};
+
+[[nodiscard]] View view_of(const Rectangle& hall);
+
+/// Path data of a closed polygon.
+[[nodiscard]] std::string outline(const Polygon& polygon, const View& view);
+
+/// A path as SVG path data with exact arcs; turns on the spot leave no trace.
+struct DrawnPath {
+  std::string forwards;   ///< empty: no such pieces
+  std::string backwards;  ///< pieces driven backwards
+};
+[[nodiscard]] DrawnPath drawn(const Path& path, const View& view);
+
+/// Direction of the last metres of a path as they are driven, radians in the frame `map`; the
+/// heading where nothing is driven.
+[[nodiscard]] double arrival_rad(const Path& path);
+
+}  // namespace linewright::routes
