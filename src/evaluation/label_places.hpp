@@ -24,6 +24,7 @@ struct Box {
 struct Anchor {
   double x = 0.0;
   double y = 0.0;
+  double dot = 0.0;    ///< radius
   double width = 0.0;  ///< of the name
   double height = 0.0;
 };
@@ -49,25 +50,34 @@ class Placer {
   void discourage(double x, double y, double weight);
   void discourage(const Box& box, double weight);
 
-  /// A place for each name. All anchors are dots of `dot` pixels radius.
-  [[nodiscard]] std::vector<Place> place(const std::vector<Anchor>& anchors, double dot);
+  /// No name may lie here.
+  void block(const Box& box) { blocked_.push_back(box); }
 
-  /// Takes the box when no name or dot is there yet.
+  /// A place for each name. To be called once.
+  [[nodiscard]] std::vector<Place> place(const std::vector<Anchor>& anchors);
+
+  /// Takes the box when neither a name nor a dot is there yet.
   [[nodiscard]] bool take(const Box& box);
 
  private:
+  [[nodiscard]] bool outside(const Box& box) const;
   [[nodiscard]] double cost(const Place& place, double distance, std::size_t self) const;
+  [[nodiscard]] double cost_of_line(const Place& place, std::size_t self) const;
+  [[nodiscard]] float drawn_at(double x, double y) const;
   [[nodiscard]] double covered(const Box& box) const;
-  void choose(const std::vector<Anchor>& anchors, double dot, std::size_t i);
+  double choose(const std::vector<Anchor>& anchors, std::size_t i);
+  double arrange_in(const std::vector<Anchor>& anchors, const std::vector<std::size_t>& order);
+  void arrange(const std::vector<Anchor>& anchors);
 
   double width_;
   double height_;
   std::size_t columns_;
   std::size_t rows_;
   std::vector<float> drawn_;  ///< by square
+  std::vector<Box> blocked_;
   std::vector<Box> dots_;
   std::vector<std::optional<Place>> places_;
-  std::vector<Box> taken_;
+  std::vector<Box> taken_;  ///< after the names have their places
 };
 
 }  // namespace linewright::labels

@@ -24,8 +24,8 @@ constexpr double kDot = 3.6;
 constexpr double kStartDot = 5.0;
 constexpr double kTick = 9.0;
 // Where many routes share an aisle, the longer ones show beside the shorter ones on top of them.
-constexpr double kThickest = 3.6;
-constexpr double kThinnest = 1.7;
+constexpr double kThickest = 3.8;
+constexpr double kThinnest = 1.5;
 
 class PanelPainter {
  public:
@@ -109,25 +109,32 @@ class PanelPainter {
     };
     line("way", lines.forwards);
     line("way back", lines.backwards);
-    paint_arrow(path, stops()[goal].pose, style);
-    svg_ += "</g>\n";
+    std::vector<Pixel> line_of;
     const double step_m = 2.0 / view_.scale;
     for (const Pose2& pose : sampled(path, step_m, 7.0)) {
-      const Pixel at = view_.at(pose.point());
-      placer_.discourage(at.x, at.y, 1.0);
+      line_of.push_back(view_.at(pose.point()));
+      placer_.discourage(line_of.back().x, line_of.back().y, 1.0);
     }
+    paint_arrow(line_of, stops()[goal].pose.heading_rad, style);
+    svg_ += "</g>\n";
   }
 
-  /// A head that ends at the goal's dot.
-  void paint_arrow(const Path& path, const Pose2& goal, const std::string& style) {
-    if (path.metres() * view_.scale < 14.0) return;
-    constexpr double kLength = 8.5;
-    constexpr double kHalf = 3.6;
-    const double direction = arrival_rad(path);
-    const double dx = std::cos(direction);
-    const double dy = -std::sin(direction);
-    const Pixel end = view_.at(goal.point());
-    const Pixel tip{end.x - dx * kDot, end.y - dy * kDot};
+  /// A head on the last pixels of the line, ending at the goal's dot, or, when the line comes from
+  /// where the heading's tick is, at the tick.
+  void paint_arrow(const std::vector<Pixel>& line, double heading_rad, const std::string& style) {
+    constexpr double kLength = 7.5;
+    constexpr double kHalf = 3.3;
+    const Pixel end = line.back();
+    const auto away = std::find_if(line.rbegin(), line.rend(), [&](Pixel p) {
+      return std::hypot(end.x - p.x, end.y - p.y) > kDot + kLength;
+    });
+    if (away == line.rend()) return;
+    const double length = std::hypot(end.x - away->x, end.y - away->y);
+    const double dx = (end.x - away->x) / length;
+    const double dy = (end.y - away->y) / length;
+    const bool from_tick = -dx * std::cos(heading_rad) + dy * std::sin(heading_rad) > 0.8;
+    const double gap = from_tick ? kTick + 1.5 : kDot;
+    const Pixel tip{end.x - dx * gap, end.y - dy * gap};
     const Pixel base{tip.x - dx * kLength, tip.y - dy * kLength};
     svg_ += fmt::format("<path class=\"s{}\" d=\"M{} {}L{} {}L{} {}Z\"/>\n", style,
                         coordinate(tip.x), coordinate(tip.y), coordinate(base.x - dy * kHalf),
@@ -144,7 +151,8 @@ class PanelPainter {
 
   void note_obstacles() {
     for (const Obstacle& obstacle : map_.obstacles) {
-      placer_.discourage(box_of(obstacle.polygon), 0.4);
+      const labels::Box box = box_of(obstacle.polygon);
+      placer_.discourage({box.x0 - 3.0, box.y0 - 3.0, box.x1 + 3.0, box.y1 + 3.0}, 0.6);
     }
   }
 
@@ -183,13 +191,15 @@ class PanelPainter {
     for (const RouteStop& stop : stops()) {
       const Pixel at = view_.at(stop.pose.point());
       names.push_back(markup::shortened(stop.name, kWidestName, kNameSize));
-      anchors.push_back({at.x, at.y, markup::text_width(names.back(), kNameSize), kLineHeight});
-      // The tick is no place for the name.
-      const double tick = kTick;
-      placer_.discourage(at.x + tick * std::cos(stop.pose.heading_rad),
-                         at.y - tick * std::sin(stop.pose.heading_rad), 1.0);
+      const bool start = anchors.size() == start_;
+      const double dot = start ? kStartDot + 4.0 : kDot + 1.0;
+      const double width = markup::text_width(names.back(), kNameSize) * (start ? 1.1 : 1.0);
+      anchors.push_back({at.x, at.y, dot, width, kLineHeight});
+      const double tick_x = at.x + kTick * std::cos(stop.pose.heading_rad);
+      const double tick_y = at.y - kTick * std::sin(stop.pose.heading_rad);
+      placer_.block({tick_x - 3.0, tick_y - 3.0, tick_x + 3.0, tick_y + 3.0});
     }
-    const std::vector<labels::Place> places = placer_.place(anchors, kStartDot + 1.0);
+    const std::vector<labels::Place> places = placer_.place(anchors);
     std::string lines;
     std::string texts;
     for (std::size_t i = 0; i < places.size(); ++i) {

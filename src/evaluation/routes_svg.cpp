@@ -30,7 +30,7 @@ constexpr std::size_t kColors = 12;
 constexpr const char* kRules = R"css(
 .way{fill:none;stroke-linejoin:round;stroke-linecap:round}.back{stroke-dasharray:4 3.2;stroke-linecap:butt}
 .panel{font-size:14px;font-weight:650}.facts{font-weight:400}.place{font-size:11px;stroke-width:3px;paint-order:stroke;stroke-linejoin:round}
-.floor{stroke:none}.wall{fill:none;stroke-width:1.2}.block{stroke-width:.8}.tick{stroke-width:2;fill:none;stroke-linecap:round}
+.floor{stroke:none}.wall{fill:none;stroke-width:1.2}.block{stroke-width:.8}.tick{stroke-width:1.6;fill:none;stroke-linecap:round}
 .stop{stroke-width:1.2}.start{fill:none;stroke-width:1.6}.cross{fill:none;stroke-width:1.6}.lead{fill:none;stroke-width:.9}.bar-line{fill:none;stroke-width:1.4}
 )css";
 constexpr const char* kLightRules =

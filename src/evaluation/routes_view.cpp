@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "markup.hpp"
 
@@ -76,17 +75,6 @@ DrawnPath drawn(const Path& path, const View& view) {
     pose = advanced(pose, segment.kind, segment.amount, path.turning_radius_m);
   }
   return result;
-}
-
-double arrival_rad(const Path& path) {
-  Pose2 pose = path.start;
-  double direction = pose.heading_rad;
-  for (const PathSegment& segment : path.segments) {
-    pose = advanced(pose, segment.kind, segment.amount, path.turning_radius_m);
-    if (segment.kind == Kind::kTurn) continue;
-    direction = pose.heading_rad + (segment.amount < 0.0 ? std::numbers::pi : 0.0);
-  }
-  return direction;
 }
 
 }  // namespace linewright::routes

@@ -36,8 +36,4 @@ struct DrawnPath {
 };
 [[nodiscard]] DrawnPath drawn(const Path& path, const View& view);
 
-/// Direction of the last metres of a path as they are driven, radians in the frame `map`; the
-/// heading where nothing is driven.
-[[nodiscard]] double arrival_rad(const Path& path);
-
 }  // namespace linewright::routes
