@@ -108,14 +108,6 @@ void Placer::discourage(double x, double y, double weight) {
   value = std::max(value, static_cast<float>(weight));
 }
 
-void Placer::discourage(const Box& box, double weight) {
-  const double x1 = std::min(box.x1, width_);
-  const double y1 = std::min(box.y1, height_);
-  for (double y = std::max(0.0, box.y0); y <= y1; y += kSquare) {
-    for (double x = std::max(0.0, box.x0); x <= x1; x += kSquare) discourage(x, y, weight);
-  }
-}
-
 float Placer::drawn_at(double x, double y) const {
   return drawn_[static_cast<std::size_t>(y / kSquare) * columns_ +
                 static_cast<std::size_t>(x / kSquare)];
@@ -150,7 +142,7 @@ double Placer::cost_of_line(const Place& place, std::size_t self) const {
 double Placer::cost(const Place& place, double distance, std::size_t self) const {
   const Box& box = place.box;
   if (outside(box)) return kNever;
-  double sum = 0.2 * distance + 1.2 * covered(box);
+  double sum = 0.2 * distance + 3.0 * covered(box);
   if (place.led) sum += cost_of_line(place, self);
   for (const Box& blocked : blocked_) sum += blocked.meets(box) ? kHidden : 0.0;
   for (std::size_t i = 0; i < dots_.size(); ++i) {

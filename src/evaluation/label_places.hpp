@@ -48,7 +48,6 @@ class Placer {
 
   /// Something is drawn here that a name should rather not cover: 0 ... 1, the larger one counts.
   void discourage(double x, double y, double weight);
-  void discourage(const Box& box, double weight);
 
   /// No name may lie here.
   void block(const Box& box) { blocked_.push_back(box); }

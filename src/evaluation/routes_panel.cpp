@@ -149,10 +149,15 @@ class PanelPainter {
     return {low.x, high.y, high.x, low.y};
   }
 
+  /// Names are better read on the free floor.
   void note_obstacles() {
-    for (const Obstacle& obstacle : map_.obstacles) {
-      const labels::Box box = box_of(obstacle.polygon);
-      placer_.discourage({box.x0 - 3.0, box.y0 - 3.0, box.x1 + 3.0, box.y1 + 3.0}, 0.6);
+    constexpr double kStep = 3.0;
+    const OccupancyGrid& grid = *map_.grid;
+    for (double y = kStep / 2.0; y < view_.height; y += kStep) {
+      for (double x = kStep / 2.0; x < view_.width; x += kStep) {
+        const Point2 point = view_.point({x, y});
+        if (grid.blocked(grid.frame().cell_at(point))) placer_.discourage(x, y, 0.2);
+      }
     }
   }
 
@@ -195,8 +200,9 @@ class PanelPainter {
       const double dot = start ? kStartDot + 4.0 : kDot + 1.0;
       const double width = markup::text_width(names.back(), kNameSize) * (start ? 1.1 : 1.0);
       anchors.push_back({at.x, at.y, dot, width, kLineHeight});
-      const double tick_x = at.x + kTick * std::cos(stop.pose.heading_rad);
-      const double tick_y = at.y - kTick * std::sin(stop.pose.heading_rad);
+      const double tick = start ? kTick + 4.0 : kTick;
+      const double tick_x = at.x + tick * std::cos(stop.pose.heading_rad);
+      const double tick_y = at.y - tick * std::sin(stop.pose.heading_rad);
       placer_.block({tick_x - 3.0, tick_y - 3.0, tick_x + 3.0, tick_y + 3.0});
     }
     const std::vector<labels::Place> places = placer_.place(anchors);
@@ -220,29 +226,37 @@ class PanelPainter {
     for (const Obstacle& obstacle : map_.obstacles) paint_obstacle_name(obstacle);
   }
 
-  /// In the middle of the obstacle, written across or upwards, where it fits.
+  /// Inside of the obstacle, in the middle if there is room, written across or upwards.
   void paint_obstacle_name(const Obstacle& obstacle) {
     constexpr double kSize = 10.0;
-    const labels::Box box = box_of(obstacle.polygon);
     const double width = markup::text_width(obstacle.name, kSize) + 2.0;
-    const double x = (box.x0 + box.x1) / 2.0;
-    const double y = (box.y0 + box.y1) / 2.0;
-    if (!contains(obstacle.polygon, middle_of(obstacle.polygon))) return;
-    const auto fits = [&](double across, double down) {
-      return across <= box.x1 - box.x0 && down <= box.y1 - box.y0 &&
-             placer_.take({x - across / 2.0, y - down / 2.0, x + across / 2.0, y + down / 2.0});
-    };
-    const bool across = fits(width, kSize);
-    if (!across && !fits(kSize, width)) return;
-    svg_ += fmt::format(
-        "<text class=\"small mid muted\" transform=\"translate({} {}){}\" "
-        "dy=\"3.4\">{}</text>\n",
-        coordinate(x), coordinate(y), across ? "" : " rotate(-90)", escaped(obstacle.name));
+    const labels::Box all = box_of(obstacle.polygon);
+    for (const bool across : {true, false}) {
+      const double half_x = (across ? width : kSize) / 2.0;
+      const double half_y = (across ? kSize : width) / 2.0;
+      for (const double share : {0.5, 0.3, 0.7, 0.15, 0.85}) {
+        const double x = (all.x0 + all.x1) / 2.0;
+        const double y = all.y0 + (all.y1 - all.y0) * share;
+        const labels::Box box{x - half_x, y - half_y, x + half_x, y + half_y};
+        if (!within(box, obstacle.polygon) || !placer_.take(box)) continue;
+        svg_ += fmt::format(
+            "<text class=\"small mid muted\" transform=\"translate({} {}){}\" "
+            "dy=\"3.4\">{}</text>\n",
+            coordinate(x), coordinate(y), across ? "" : " rotate(-90)", escaped(obstacle.name));
+        return;
+      }
+    }
   }
 
-  [[nodiscard]] static Point2 middle_of(const Polygon& polygon) {
-    const Rectangle r = bounds_of(polygon);
-    return {(r.x0_m + r.x1_m) / 2.0, (r.y0_m + r.y1_m) / 2.0};
+  /// By its corners: a name is short against what could stick into it.
+  [[nodiscard]] bool within(const labels::Box& box, const Polygon& polygon) const {
+    Polygon corners;
+    for (const Point2 corner : polygon) {
+      const Pixel at = view_.at(corner);
+      corners.push_back({at.x, at.y});
+    }
+    return contains(corners, {box.x0, box.y0}) && contains(corners, {box.x1, box.y0}) &&
+           contains(corners, {box.x1, box.y1}) && contains(corners, {box.x0, box.y1});
   }
 
   const HallMap& map_;

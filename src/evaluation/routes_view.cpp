@@ -41,9 +41,14 @@ std::string piece(const PathSegment& segment, const Pose2& from, double radius_m
 
 }  // namespace
 
+double View::left() const { return (width - (hall.x1_m - hall.x0_m) * scale) / 2.0; }
+
 Pixel View::at(Point2 point) const {
-  const double left = (width - (hall.x1_m - hall.x0_m) * scale) / 2.0;
-  return {left + (point.x_m - hall.x0_m) * scale, kMargin + (hall.y1_m - point.y_m) * scale};
+  return {left() + (point.x_m - hall.x0_m) * scale, kMargin + (hall.y1_m - point.y_m) * scale};
+}
+
+Point2 View::point(Pixel at) const {
+  return {hall.x0_m + (at.x - left()) / scale, hall.y1_m - (at.y - kMargin) / scale};
 }
 
 View view_of(const Rectangle& hall) {

@@ -22,6 +22,10 @@ struct View {
   double height = 0.0;
 
   [[nodiscard]] Pixel at(Point2 point) const;
+  [[nodiscard]] Point2 point(Pixel at) const;
+
+ private:
+  [[nodiscard]] double left() const;  ///< of the hall in the panel
 };
 
 [[nodiscard]] View view_of(const Rectangle& hall);
