@@ -110,7 +110,7 @@ class PanelPainter {
     line("way", lines.forwards);
     line("way back", lines.backwards);
     std::vector<Pixel> line_of;
-    const double step_m = 2.0 / view_.scale;
+    const double step_m = 1.0 / view_.scale;
     for (const Pose2& pose : sampled(path, step_m, 7.0)) {
       line_of.push_back(view_.at(pose.point()));
       placer_.discourage(line_of.back().x, line_of.back().y, 1.0);
@@ -119,27 +119,41 @@ class PanelPainter {
     svg_ += "</g>\n";
   }
 
-  /// A head on the last pixels of the line, ending at the goal's dot, or, when the line comes from
-  /// where the heading's tick is, at the tick.
+  /// The place so much of the line before its end, or its beginning.
+  static Pixel before_end(const std::vector<Pixel>& line, double pixels) {
+    for (std::size_t i = line.size() - 1; i > 0; --i) {
+      const double step = std::hypot(line[i].x - line[i - 1].x, line[i].y - line[i - 1].y);
+      if (step >= pixels && step > 0.0) {
+        const double share = pixels / step;
+        return {line[i].x + (line[i - 1].x - line[i].x) * share,
+                line[i].y + (line[i - 1].y - line[i].y) * share};
+      }
+      pixels -= step;
+    }
+    return line.front();
+  }
+
+  /// A head on the line, ending at the goal's dot or, when the line comes from where the heading's
+  /// tick is, at the tick.
   void paint_arrow(const std::vector<Pixel>& line, double heading_rad, const std::string& style) {
     constexpr double kLength = 7.5;
     constexpr double kHalf = 3.3;
     const Pixel end = line.back();
-    const auto away = std::find_if(line.rbegin(), line.rend(), [&](Pixel p) {
-      return std::hypot(end.x - p.x, end.y - p.y) > kDot + kLength;
-    });
-    if (away == line.rend()) return;
-    const double length = std::hypot(end.x - away->x, end.y - away->y);
-    const double dx = (end.x - away->x) / length;
-    const double dy = (end.y - away->y) / length;
-    const bool from_tick = -dx * std::cos(heading_rad) + dy * std::sin(heading_rad) > 0.8;
-    const double gap = from_tick ? kTick + 1.5 : kDot;
-    const Pixel tip{end.x - dx * gap, end.y - dy * gap};
-    const Pixel base{tip.x - dx * kLength, tip.y - dy * kLength};
+    const Pixel near = before_end(line, kTick);
+    const double ahead =
+        (near.x - end.x) * std::cos(heading_rad) - (near.y - end.y) * std::sin(heading_rad);
+    const double gap = ahead > 0.7 * kTick ? kTick + 1.5 : kDot;
+    const Pixel tip = before_end(line, gap);
+    const Pixel base = before_end(line, gap + kLength);
+    const double length = std::hypot(tip.x - base.x, tip.y - base.y);
+    if (length < 0.9 * kLength) return;  // too short, or the direction changes just there
+    const double dx = (tip.x - base.x) / length;
+    const double dy = (tip.y - base.y) / length;
+    const Pixel foot{tip.x - dx * kLength, tip.y - dy * kLength};
     svg_ += fmt::format("<path class=\"s{}\" d=\"M{} {}L{} {}L{} {}Z\"/>\n", style,
-                        coordinate(tip.x), coordinate(tip.y), coordinate(base.x - dy * kHalf),
-                        coordinate(base.y + dx * kHalf), coordinate(base.x + dy * kHalf),
-                        coordinate(base.y - dx * kHalf));
+                        coordinate(tip.x), coordinate(tip.y), coordinate(foot.x - dy * kHalf),
+                        coordinate(foot.y + dx * kHalf), coordinate(foot.x + dy * kHalf),
+                        coordinate(foot.y - dx * kHalf));
   }
 
   [[nodiscard]] labels::Box box_of(const Polygon& polygon) const {
