@@ -95,6 +95,59 @@ TEST(Cli, MapTellsTheFactsAndWritesWhatItTells) {
   std::filesystem::remove_all(::testing::TempDir() + "/cli_map");
 }
 
+TEST(Cli, RoutesTellsEveryPairAndDrawsThem) {
+  const std::string svg = temporary("routes.svg");
+  const Output output =
+      linewright("routes tests/data/duct_line_on_grid.yaml --no-cache --json --svg " + svg);
+  ASSERT_EQ(output.code, 0) << output.err;
+  const Json json = Json::parse(output.out);
+  EXPECT_EQ(json["pairs"], 180);
+  EXPECT_EQ(json["failed"], 0);
+  EXPECT_TRUE(json["cold_ms"].is_number());
+  EXPECT_TRUE(json["cached_ms"].is_number());
+  ASSERT_EQ(json["kinds"].size(), 2U);
+  EXPECT_EQ(json["kinds"][1]["kind"], "robot");
+  EXPECT_EQ(json["kinds"][1]["planner"], "hybrid_a_star");
+  EXPECT_GT(json["kinds"][1]["longest_m"].get<double>(), json["kinds"][1]["mean_m"].get<double>());
+  ASSERT_EQ(json["routes"].size(), 180U);
+  EXPECT_EQ(json["routes"][0]["from"], "flange_rack");
+  EXPECT_EQ(json["routes"][0]["status"], "found");
+  EXPECT_EQ(json["svg"], svg);
+  EXPECT_TRUE(read_file(svg).starts_with("<svg "));
+  std::filesystem::remove(svg);
+}
+
+TEST(Cli, RoutesKeepsThemBesideTheScenarioUnlessTold) {
+  const std::string file = temporary("kitting.yaml");
+  std::filesystem::copy_file("scenarios/teaching/kitting_cell.yaml", file);
+  ASSERT_EQ(linewright("routes --no-cache " + file).code, 0);
+  EXPECT_FALSE(std::filesystem::exists(file + ".routes"));
+  const Output output = linewright("routes " + file);
+  ASSERT_EQ(output.code, 0) << output.err;
+  EXPECT_TRUE(std::filesystem::exists(file + ".routes"));
+  EXPECT_EQ(output.err, "");
+  std::filesystem::remove(file + ".routes");
+  std::filesystem::remove(file);
+}
+
+TEST(Cli, RoutesDrawsAPanelForEachStartAndKindAsked) {
+  const std::string svg = temporary("starts.svg");
+  const Output output = linewright(
+      "routes tests/data/duct_line_on_grid.yaml --no-cache --kind robot --start outfeed "
+      "--start storage --svg " +
+      svg);
+  ASSERT_EQ(output.code, 0) << output.err;
+  EXPECT_NE(output.out.find("\nrobot   hybrid_a_star        10     90     90       0"),
+            std::string::npos)
+      << output.out;
+  EXPECT_EQ(output.out.find("human"), std::string::npos) << output.out;
+  const std::string picture = read_file(svg);
+  EXPECT_NE(picture.find("robot from outfeed"), std::string::npos);
+  EXPECT_NE(picture.find("robot from storage"), std::string::npos);
+  EXPECT_EQ(picture.find("human"), std::string::npos);
+  std::filesystem::remove(svg);
+}
+
 TEST(Cli, TellsADeadlock) {
   const Output output = linewright(
       "simulate scenarios/duct_line_published.yaml --planner replay "
@@ -293,7 +346,18 @@ INSTANTIATE_TEST_SUITE_P(
         Wrong{"map scenarios/maps/duct_hall.yaml", "a map file of ROS map_server, not a scenario"},
         Wrong{"map scenarios/teaching/one_human_one_robot.yaml", "the scenario has no map"},
         Wrong{"map scenarios/duct_line.yaml --out out/hall.png", "name the YAML file: hall.yaml"},
-        Wrong{"map nowhere.yaml", "nowhere.yaml"}, Wrong{"simualte", "did you mean 'simulate'?"}));
+        Wrong{"map nowhere.yaml", "nowhere.yaml"},
+        Wrong{"routes scenarios/duct_line.yaml",
+              "write travel: {human: hybrid_a_star, robot: hybrid_a_star}"},
+        Wrong{"routes scenarios/teaching/one_human_one_robot.yaml", "give it a map"},
+        Wrong{"routes tests/data/duct_line_on_grid.yaml --no-cache --kind robt",
+              "did you mean 'robot'?"},
+        Wrong{"routes tests/data/duct_line_on_grid.yaml --no-cache --svg out/x.svg --start "
+              "flange_rak",
+              "did you mean 'flange_rack'?"},
+        Wrong{"routes tests/data/duct_line_on_grid.yaml --start storage", "add --svg FILE.svg"},
+        Wrong{"routes tests/data/duct_line_on_grid.yaml --svg out/x.png", "ends in .svg"},
+        Wrong{"simualte", "did you mean 'simulate'?"}));
 
 }  // namespace
 }  // namespace linewright::testing

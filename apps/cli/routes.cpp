@@ -7,6 +7,7 @@
 
 #include "common.hpp"
 #include "linewright/base/diagnostic.hpp"
+#include "linewright/base/files.hpp"
 #include "linewright/evaluation/routes_svg.hpp"
 #include "linewright/scenario/load.hpp"
 #include "route_report.hpp"
@@ -110,11 +111,20 @@ int interrupted_code() {
   return kInterrupted;
 }
 
-int show(const RoutesArguments& arguments) {
+/// Before anything is planned, which may take long.
+void check_picture(const RoutesArguments& arguments) {
   if (arguments.svg.empty() && !arguments.starts.empty()) {
     throw ScenarioError({}, "--start chooses what the picture shows, but no picture is written",
                         "add --svg FILE.svg");
   }
+  if (!arguments.svg.empty() && !arguments.svg.ends_with(".svg")) {
+    throw ScenarioError(arguments.svg, "the picture of the routes is an SVG file",
+                        "name a file that ends in .svg");
+  }
+}
+
+int show(const RoutesArguments& arguments) {
+  check_picture(arguments);
   Scenario scenario;
   try {
     scenario = load(arguments);
@@ -128,7 +138,7 @@ int show(const RoutesArguments& arguments) {
   const std::vector<RoutesPanel> panels = panels_of(arguments, scenario);
   const auto times = time_routes(scenario, arguments.threads);
   if (!times) return interrupted_code();
-  if (!arguments.svg.empty()) write_routes(scenario, panels, arguments.svg);
+  if (!arguments.svg.empty()) write_file(arguments.svg, routes_svg(scenario, panels));
   if (arguments.json) {
     nlohmann::ordered_json object = routes_json(scenario, *times);
     if (!arguments.svg.empty()) object["svg"] = arguments.svg;

@@ -4,11 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 
 #include "gantt_style.hpp"
-#include "linewright/base/diagnostic.hpp"
-#include "linewright/base/files.hpp"
 #include "markup.hpp"
 #include "routes_hall.hpp"
 #include "routes_panel.hpp"
@@ -144,15 +141,6 @@ std::string routes_svg(const Scenario& scenario, const std::vector<RoutesPanel>&
   svg += fmt::format("<g transform=\"translate(0 {})\">\n{}</g>\n</g>\n</svg>\n",
                      coordinate(bottom), legend_svg(view, inner - 8.0));
   return svg;
-}
-
-void write_routes(const Scenario& scenario, const std::vector<RoutesPanel>& panels,
-                  const std::string& path) {
-  if (std::filesystem::path(path).extension() != ".svg") {
-    throw ScenarioError(path, "the picture of the routes is an SVG file",
-                        "name a file that ends in .svg");
-  }
-  write_file(path, routes_svg(scenario, panels));
 }
 
 }  // namespace linewright

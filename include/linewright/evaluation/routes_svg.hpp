@@ -29,9 +29,4 @@ struct RoutesPanel {
 [[nodiscard]] std::string routes_svg(const Scenario& scenario,
                                      const std::vector<RoutesPanel>& panels);
 
-/// Writes the picture to `path`, creating its folder; a reader never sees half a file. Throws
-/// ScenarioError when the path does not end in .svg or cannot be written.
-void write_routes(const Scenario& scenario, const std::vector<RoutesPanel>& panels,
-                  const std::string& path);
-
 }  // namespace linewright
