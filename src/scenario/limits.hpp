@@ -26,7 +26,6 @@ inline constexpr double kSmallestCell = 0.01;        ///< metres
 inline constexpr double kShortestTick = 1e-3;        ///< seconds
 inline constexpr std::size_t kMostCorners = 200;     ///< of an obstacle or a zone
 inline constexpr double kMostRasterWork = 5e8;       ///< cells and edges to visit for all obstacles
-inline constexpr double kMostGridWork = 2e9;         ///< cells times goals of routes on the map
 inline constexpr std::size_t kLargestRouteCache = 256'000'000;  ///< bytes
 
 }  // namespace linewright::loading

@@ -60,7 +60,7 @@ std::vector<RouteTable> built(const BuildState& state,
   RouteBuildOptions build{.threads = options.threads,
                           .cancel = options.cancel,
                           .progress = options.progress,
-                          .most_expansions = options.most_route_expansions};
+                          .most_expansions = options.most_route_work};
   auto tables = build_route_tables(map, requests, build);
   if (options.cancel != nullptr && options.cancel->requested()) {
     throw ScenarioError(state.scenario.file, "interrupted while planning the routes",
@@ -107,7 +107,7 @@ void fill_from_routes(BuildState& state, const std::vector<RoutedKind>& kinds) {
     routed.push_back(route_request(state, kind));
     requests.push_back(routed.back().request);
   }
-  if (work_of(hall, requests) > kMostGridWork) {
+  if (work_of(hall, requests) > static_cast<double>(state.options.most_route_work)) {
     state.problems.error(kinds.front().mark,
                          "the map has too many cells to search the ways between all stations",
                          "make 'cell_m' larger, or the map's resolution coarser");
