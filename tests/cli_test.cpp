@@ -1,8 +1,11 @@
 // The command line tool as a user meets it: what it prints, where, and its exit codes.
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <sys/wait.h>
+#include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cstdio>
 #include <fstream>
@@ -29,8 +32,13 @@ std::string read_file(const std::string& file) {
   return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
 }
 
+/// A path of this process alone: tests run side by side.
+std::string temporary(const std::string& name) {
+  return fmt::format("{}/linewright_cli_{}_{}", ::testing::TempDir(), getpid(), name);
+}
+
 Output linewright(const std::string& arguments) {
-  const std::string errors = ::testing::TempDir() + "/linewright_cli_errors.txt";
+  const std::string errors = temporary("errors.txt");
   const std::string command = std::string(LINEWRIGHT_CLI) + " " + arguments + " 2>" + errors;
   Output output;
   FILE* pipe = popen(command.c_str(), "r");
@@ -65,6 +73,26 @@ TEST(Cli, ReplaysARecordedRun) {
   const Json json = Json::parse(output.out);
   EXPECT_EQ(json["makespan"], 795);
   EXPECT_EQ(json["replay"]["milestones"]["largest_difference"], 0);
+}
+
+TEST(Cli, MapTellsTheFactsAndWritesWhatItTells) {
+  const std::string file = ::testing::TempDir() + "/cli_map/hall.yaml";
+  const Output output = linewright("map scenarios/duct_line.yaml --json --out " + file);
+  ASSERT_EQ(output.code, 0) << output.err;
+  const Json json = Json::parse(output.out);
+  EXPECT_EQ(json["columns"], 240);
+  EXPECT_EQ(json["rows"], 140);
+  EXPECT_EQ(json["origin"], (Json{-50.0, -10.0, 0.0}));
+  EXPECT_EQ(json["cells"]["free"].get<int>() + json["cells"]["occupied"].get<int>(), 240 * 140);
+  EXPECT_EQ(json["obstacles"].size(), 12U);
+  EXPECT_EQ(json["stations"].size(), 20U);
+  EXPECT_FALSE(json["stations"][0]["blocked"].get<bool>());
+  // The shipped map is that of the shipped line.
+  EXPECT_EQ(read_file(::testing::TempDir() + "/cli_map/hall.pgm"),
+            read_file("scenarios/maps/duct_hall.pgm"));
+  const std::string text = linewright("map scenarios/duct_line.yaml").out;
+  EXPECT_NE(text.find("240 x 140 cells of 0.25 m"), std::string::npos) << text;
+  std::filesystem::remove_all(::testing::TempDir() + "/cli_map");
 }
 
 TEST(Cli, TellsADeadlock) {
@@ -105,6 +133,45 @@ TEST(Cli, EvaluateComparesTwoConfigurationsInPairs) {
   EXPECT_EQ(Json::parse(output.out)["paired"]["equal"], 10);
 }
 
+TEST(Cli, EvaluateComparesAllocatorsWhichAreEqualWhereThereIsNothingToChoose) {
+  const std::string all = "sap,no_spatial,longest_path,first_idle,sap_snapped";
+  const Output output = linewright(
+      "evaluate scenarios/duct_line.yaml --humans 1 --robots 1 --trials 10 --json --allocator " +
+      all);
+  ASSERT_EQ(output.code, 0) << output.err;
+  const Json json = Json::parse(output.out);
+  ASSERT_EQ(json["evaluations"].size(), 5U);
+  ASSERT_EQ(json["paired"].size(), 4U);
+  for (const Json& paired : json["paired"]) EXPECT_EQ(paired["equal"], 10) << paired;
+  for (const Json& evaluation : json["evaluations"]) {
+    Json first = json["evaluations"][0];
+    first["allocator"] = evaluation["allocator"];
+    EXPECT_EQ(evaluation, first);
+  }
+  EXPECT_EQ(json["lowest"]["makespan"].size(), 5U);
+  EXPECT_EQ(json["trials"], 10);
+}
+
+TEST(Cli, EvaluatePutsAllocatorsSideBySide) {
+  const std::string csv = temporary("allocators.csv");
+  const Output output = linewright(
+      "evaluate scenarios/duct_line.yaml --humans 2..3 --robots 2 --trials 20 --allocator "
+      "longest_path,sap --csv " +
+      csv);
+  ASSERT_EQ(output.code, 0) << output.err;
+  EXPECT_NE(output.out.find("makespan, ticks\ncrew  longest_path"), std::string::npos);
+  EXPECT_NE(output.out.find("distance, metres\ncrew  longest_path"), std::string::npos);
+  EXPECT_NE(output.out.find("lowest mean distance: sap\n"), std::string::npos) << output.out;
+  EXPECT_EQ(output.out.find("success"), std::string::npos);
+  const std::string rows = read_file(csv);
+  EXPECT_EQ(std::count(rows.begin(), rows.end(), '\n'), 1 + 2 * 3);
+  std::filesystem::remove(csv);
+  const Output failing = linewright(
+      "evaluate scenarios/duct_line.yaml --humans 2 --robots 2 --trials 4 --horizon 100 "
+      "--allocator longest_path,sap");
+  EXPECT_NE(failing.out.find("success rate\n"), std::string::npos) << failing.out;
+}
+
 TEST(Cli, BenchPrintsSpeedAndTheSameFingerprintTwice) {
   const std::string command =
       "bench scenarios/duct_line.yaml --humans 2 --robots 2 --seconds 0.05 --json";
@@ -127,7 +194,7 @@ TEST(Cli, CheckReportsTheDeadStateOfEarlyCollecting) {
 }
 
 TEST(Cli, WritesLogAndGanttAndDrawsTheLogAgain) {
-  const std::string folder = ::testing::TempDir() + "/linewright_cli/out";
+  const std::string folder = temporary("files") + "/out";
   const Output output = linewright("simulate scenarios/teaching/kitting_cell.yaml --log " + folder +
                                    "/run.jsonl --gantt " + folder + "/run.svg");
   ASSERT_EQ(output.code, 0) << output.err;
@@ -135,7 +202,7 @@ TEST(Cli, WritesLogAndGanttAndDrawsTheLogAgain) {
   ASSERT_EQ(linewright("gantt " + folder + "/run.jsonl --out " + folder + "/again.svg").code, 0);
   EXPECT_EQ(read_file(folder + "/run.svg"), read_file(folder + "/again.svg"));
   EXPECT_FALSE(read_file(folder + "/run.svg").empty());
-  std::filesystem::remove_all(::testing::TempDir() + "/linewright_cli");
+  std::filesystem::remove_all(temporary("files"));
 }
 
 TEST(Readme, EveryCommandLineWorks) {
@@ -205,6 +272,14 @@ INSTANTIATE_TEST_SUITE_P(
         Wrong{"simulate scenarios/duct_line.yaml --gantt out/x.pdf", ".svg"},
         Wrong{"evaluate scenarios/duct_line.yaml --humans 3..1", "is empty"},
         Wrong{"evaluate scenarios/duct_line.yaml --trials 0", "--trials"},
+        Wrong{"evaluate scenarios/duct_line.yaml --allocator sap,longest_pth",
+              "did you mean 'longest_path'?"},
+        Wrong{"evaluate scenarios/duct_line.yaml --allocator sap,sap", "listed twice"},
+        Wrong{"evaluate scenarios/duct_line.yaml --allocator sap,first_idle --versus random",
+              "name one allocator"},
+        Wrong{"evaluate scenarios/duct_line.yaml --humans 0..10000 --robots 1..2",
+              "more than 10000 crews"},
+        Wrong{"simulate scenarios/duct_line.yaml --humans 10001", "a number up to 10000"},
         Wrong{"gantt nowhere.jsonl", "nowhere.jsonl"},
         Wrong{"gantt scenarios/duct_line.yaml", "scenarios/duct_line.yaml"},
         Wrong{"simulate scenarios/duct_line.yaml --humanz 2", "did you mean '--humans'?"},
@@ -218,7 +293,10 @@ INSTANTIATE_TEST_SUITE_P(
               "tests/data/recorded/rule_H2R2_n1_s0.json",
               "order of 0"},
         Wrong{"evaluate scenarios/duct_line.yaml --planner replay", "only for simulate"},
-        Wrong{"simualte", "did you mean 'simulate'?"}));
+        Wrong{"map scenarios/maps/duct_hall.yaml", "a map file of ROS map_server, not a scenario"},
+        Wrong{"map scenarios/teaching/one_human_one_robot.yaml", "the scenario has no map"},
+        Wrong{"map scenarios/duct_line.yaml --out out/hall.png", "name the YAML file: hall.yaml"},
+        Wrong{"map nowhere.yaml", "nowhere.yaml"}, Wrong{"simualte", "did you mean 'simulate'?"}));
 
 }  // namespace
 }  // namespace linewright::testing

@@ -123,7 +123,7 @@ TEST(Allocators, AgreeWhenThereIsNothingToChoose) {
   const Line& line = shipped_line("scenarios/duct_line.yaml");
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
     const std::string sap = run_line(line, crew_of({1, 1}), seed, "first", "sap").text;
-    for (const char* other : {"no_spatial", "longest_path", "first_idle"}) {
+    for (const std::string& other : allocator_names()) {
       EXPECT_EQ(run_line(line, crew_of({1, 1}), seed, "first", other).text, sap) << other;
     }
   }
@@ -132,10 +132,16 @@ TEST(Allocators, AgreeWhenThereIsNothingToChoose) {
 TEST(Allocators, DifferWhenThereIs) {
   const Line& line = shipped_line("scenarios/duct_line.yaml");
   std::set<std::string> logs;
-  for (const std::string& name : allocator_names()) {
+  for (const char* name : {"sap", "no_spatial", "longest_path", "first_idle"}) {
     logs.insert(run_line(line, crew_of({3, 3}), 1, "first", name).text);
   }
-  EXPECT_EQ(logs.size(), allocator_names().size());
+  EXPECT_EQ(logs.size(), 4U);
+}
+
+TEST(Allocators, SnappedIsSapWhileFreeWorkersStand) {
+  const Line& line = shipped_line("scenarios/duct_line.yaml");
+  EXPECT_EQ(run_line(line, crew_of({3, 3}), 1, "random", "sap_snapped").text,
+            run_line(line, crew_of({3, 3}), 1, "random", "sap").text);
 }
 
 }  // namespace

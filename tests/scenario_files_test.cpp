@@ -9,6 +9,7 @@
 
 #include "linewright/base/diagnostic.hpp"
 #include "linewright/scenario/load.hpp"
+#include "tests/support.hpp"
 
 namespace linewright {
 namespace {
@@ -19,12 +20,11 @@ const fs::path kRoot = LINEWRIGHT_SOURCE_DIR;
 
 TEST(ScenarioFiles, AllOfThemLoad) {
   int count = 0;
-  for (const auto& entry : fs::recursive_directory_iterator(kRoot / "scenarios")) {
-    if (entry.path().extension() != ".yaml") continue;
+  for (const std::string& file : testing::shipped_scenarios()) {
     ++count;
     try {
-      const Scenario scenario = load_scenario(entry.path().string());
-      EXPECT_EQ(scenario.line.name, entry.path().stem().string());
+      const Scenario scenario = load_scenario((kRoot / file).string());
+      EXPECT_EQ(scenario.line.name, fs::path(file).stem().string());
     } catch (const ScenarioError& e) {
       ADD_FAILURE() << e.what();
     }

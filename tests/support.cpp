@@ -28,7 +28,8 @@ std::vector<std::string> scenarios_in(const std::string& folder) {
   const std::filesystem::path root(LINEWRIGHT_SOURCE_DIR);
   std::vector<std::string> files;
   for (const auto& entry : std::filesystem::recursive_directory_iterator(root / folder)) {
-    if (entry.path().extension() == ".yaml") {
+    // scenarios/maps holds maps, whose files end in .yaml as well.
+    if (entry.path().extension() == ".yaml" && entry.path().parent_path().filename() != "maps") {
       files.push_back(std::filesystem::relative(entry.path(), root).generic_string());
     }
   }

@@ -9,7 +9,7 @@ for group in "${@:-build}"; do
   case "$group" in
     build)
       packages+=(g++ cmake ninja-build libyaml-cpp-dev libcli11-dev libfmt-dev nlohmann-json3-dev
-        libgtest-dev libbenchmark-dev)
+        libpng-dev libgtest-dev libbenchmark-dev)
       programs+=(c++ cmake ninja)
       ;;
     fuzz)

@@ -17,6 +17,9 @@
 namespace linewright::cli {
 namespace {
 
+constexpr std::int32_t kMostOfAKind = 10'000;  // what scenarios allow
+constexpr std::size_t kMostCrews = 10'000;     // of one command
+
 std::int64_t now_ms() {
   using std::chrono::steady_clock;
   return std::chrono::duration_cast<std::chrono::milliseconds>(
@@ -28,9 +31,10 @@ std::int32_t parse_count(const std::string& option, std::string_view text) {
   std::int32_t value = 0;
   const auto parsed = std::from_chars(text.data(), text.data() + text.size(), value);
   if (parsed.ec != std::errc() || parsed.ptr != text.data() + text.size() || value < 0 ||
-      value > 64) {
-    throw ScenarioError({}, fmt::format("{}: '{}' is no count", option, text),
-                        "write a number, a range like 1..3 or a list like 1,3");
+      value > kMostOfAKind) {
+    throw ScenarioError(
+        {}, fmt::format("{}: '{}' is no count", option, text),
+        fmt::format("write a number up to {}, a range like 1..3 or a list like 1,3", kMostOfAKind));
   }
   return value;
 }
@@ -144,6 +148,10 @@ std::vector<RunOptions> crews_of(const RunArguments& arguments, const LineModel&
            ++n) {
         counts[k].push_back(n);
       }
+    }
+    if (crews.size() * counts[k].size() > kMostCrews) {
+      throw ScenarioError({}, fmt::format("these are more than {} crews", kMostCrews),
+                          "name fewer numbers of workers, such as --crew KIND=1,100,10000");
     }
     std::vector<RunOptions> extended;
     for (const RunOptions& crew : crews) {

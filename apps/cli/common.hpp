@@ -96,6 +96,7 @@ Command add_check(CLI::App& app);
 Command add_simulate(CLI::App& app);
 Command add_evaluate(CLI::App& app);
 Command add_gantt(CLI::App& app);
+Command add_map(CLI::App& app);
 Command add_bench(CLI::App& app);
 Command add_schema(CLI::App& app);
 

@@ -78,11 +78,12 @@ int main(int argc, char** argv) {
       {"evaluate", "Many runs over crews and start positions: makespan, success, distance"},
       {"check", "Everything that is wrong with a scenario, and dead states of the line"},
       {"gantt", "Draw the Gantt chart of an event log"},
+      {"map", "Facts of a scenario's map; write it for ROS map_server"},
       {"bench", "Measure the simulator's speed and fingerprint its behaviour"},
       {"schema", "Print the JSON Schema of scenario files"}};
-  linewright::cli::Command (*const add[])(CLI::App&) = {cli::add_simulate, cli::add_evaluate,
-                                                        cli::add_check,    cli::add_gantt,
-                                                        cli::add_bench,    cli::add_schema};
+  linewright::cli::Command (*const add[])(CLI::App&) = {
+      cli::add_simulate, cli::add_evaluate, cli::add_check, cli::add_gantt,
+      cli::add_map,      cli::add_bench,    cli::add_schema};
   std::vector<std::pair<CLI::App*, cli::Command>> commands;
   for (std::size_t i = 0; i < subcommands.size(); ++i) {
     CLI::App* sub = app.add_subcommand(subcommands[i].first, subcommands[i].second);

@@ -3,213 +3,232 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <limits>
 #include <optional>
-#include <utility>
-#include <variant>
 
+#include "best_choice.hpp"
+#include "errand.hpp"
+#include "free_members.hpp"
 #include "linewright/base/diagnostic.hpp"
 #include "linewright/base/random.hpp"
 
 namespace linewright {
 namespace {
 
-/// Crew slots that are filled together: a worker, maybe with the carrier it fetches.
-struct Group {
-  std::size_t worker_slot = 0;
-  std::optional<std::size_t> carrier_slot;
-  std::optional<StationId>
-      goal;  ///< where the worker goes first (with the carrier, if it fetches one)
-};
+using allocation::Best;
+using allocation::Choice;
+using allocation::Cost;
+using allocation::Errand;
+using allocation::FreeMembers;
+using allocation::Spot;
+using allocation::Standpoint;
+using allocation::Start;
 
-/// One way to fill a group and the way it costs.
-struct Candidate {
-  std::int16_t worker = Assignment::kNobody;
-  std::int16_t carrier = Assignment::kNobody;
-  Leg way;
-  double straight_m = 0.0;  ///< straight line from the worker's station to the carrier's
-};
+enum class Rule : std::uint8_t { kNearest, kFarthest, kRandom, kFirstIdle };
 
-enum class Rule { kNearest, kFarthest, kRandom, kFirstIdle };
-
-/// What the crew member does first that says where it has to be.
-Group first_errand(const Task& task, std::size_t slot) {
-  Group group{.worker_slot = slot, .carrier_slot = std::nullopt, .goal = std::nullopt};
-  for (const Step& step : task.steps) {
-    for (const ActorSequence& sequence : step.sequences) {
-      if (sequence.slot != slot) continue;
-      for (const Action& action : sequence.actions) {
-        if (const auto* fetch = std::get_if<FetchAction>(&action.what);
-            fetch && !group.carrier_slot) {
-          group.carrier_slot = fetch->carrier_slot;
-        } else if (const auto* go = std::get_if<GoAction>(&action.what)) {
-          group.goal = go->station;
-          return group;
-        }
-      }
-    }
-  }
-  return group;
-}
-
-std::vector<Group> groups_of(const Task& task) {
-  std::vector<Group> groups;
-  std::vector<bool> taken(task.crew.size(), false);
-  for (std::size_t slot = 0; slot < task.crew.size(); ++slot) {
-    if (!task.crew[slot].worker) continue;
-    Group group = first_errand(task, slot);
-    if (group.carrier_slot && taken[*group.carrier_slot]) group.carrier_slot.reset();
-    if (group.carrier_slot) taken[*group.carrier_slot] = true;
-    groups.push_back(group);
-  }
-  return groups;
+/// The way that goes on where the other ends; none when either is missing.
+Leg joined(const Leg& way, const Leg& onward) {
+  if (way.ticks < 0 || onward.ticks < 0) return {};
+  return {way.ticks + onward.ticks, way.metres + onward.metres};
 }
 
 class RuleAllocator final : public Allocator {
  public:
-  RuleAllocator(const Simulator& simulator, Rule rule)
-      : simulator_(simulator), rule_(rule), random_(0) {
-    for (const Task& task : simulator.line().tasks) groups_.push_back(groups_of(task));
+  RuleAllocator(const Simulator& simulator, Rule rule, Standpoint standpoint)
+      : simulator_(simulator),
+        rule_(rule),
+        standpoint_(standpoint),
+        random_(0),
+        members_(simulator) {
+    for (const Task& task : simulator.line().tasks) {
+      errands_.push_back(allocation::errands_of(task));
+    }
   }
 
   void reset(std::uint64_t seed) override { random_ = RandomStream::derive(seed, "allocator"); }
 
   Assignment allocate(const SimulationState& state, TaskId task) override {
     Assignment assignment(task);
-    const auto& crew = simulator_.line().tasks[task.index()].crew;
-    for (const Group& group : groups_[task.index()]) {
-      const std::optional<Candidate> best = choose(state, crew, group, assignment);
+    const auto& crew = crew_of(task);
+    for (const Errand& errand : errands_[task.index()]) {
+      const std::optional<Choice> best = choose(state, errand, assignment);
       if (!best) continue;  // a late joiner of whose kind nobody is free
-      assignment.members[group.worker_slot] = best->worker;
-      if (group.carrier_slot) assignment.members[*group.carrier_slot] = best->carrier;
+      assignment.members[errand.worker_slot] = best->worker;
+      if (errand.carrier_slot) assignment.members[*errand.carrier_slot] = best->carrier;
     }
     for (std::size_t slot = 0; slot < crew.size(); ++slot) {
       // Carriers that nobody fetches first (or whose fetcher joins late): by number.
       if (!crew[slot].carrier || assignment.members[slot] != Assignment::kNobody) continue;
-      for (std::size_t c = 0; c < state.carriers.size(); ++c) {
-        const auto carrier = static_cast<std::int16_t>(c);
-        if (in_crew(crew, assignment, slot, carrier)) continue;
-        if (!simulator_.carrier_fits(state, crew[slot], CarrierId(c))) continue;
-        assignment.members[slot] = carrier;
-        break;
-      }
+      assignment.members[slot] = members_.first_carrier(state, assignment, slot);
     }
     return assignment;
   }
 
   WorkerId join(const SimulationState& state, PendingJoin pending) override {
     const Execution& execution = state.executions[pending.execution];
-    const auto task = static_cast<std::size_t>(execution.task);
-    const auto& crew = simulator_.line().tasks[task].crew;
     Assignment bound{TaskId(std::int32_t{execution.task})};
     bound.members = execution.members;
-    for (const Group& group : groups_[task]) {
-      if (group.worker_slot != pending.slot) continue;
-      const std::optional<Candidate> best = choose(state, crew, group, bound);
+    for (const Errand& errand : errands_[bound.task.index()]) {
+      if (errand.worker_slot != pending.slot) continue;
+      const std::optional<Choice> best = choose(state, errand, bound);
       if (best) return WorkerId(std::int32_t{best->worker});
     }
     return WorkerId(-1);
   }
 
  private:
-  /// Whether `member` fills another slot of the same sort (worker or carrier) already.
-  static bool in_crew(const std::vector<CrewSlot>& crew, const Assignment& assignment,
-                      std::size_t slot, std::int16_t member) {
-    for (std::size_t other = 0; other < crew.size(); ++other) {
-      if (other != slot && assignment.members[other] == member &&
-          crew[other].worker.has_value() == crew[slot].worker.has_value()) {
-        return true;
-      }
-    }
-    return false;
+  [[nodiscard]] const std::vector<CrewSlot>& crew_of(TaskId task) const {
+    return simulator_.line().tasks[task.index()].crew;
   }
 
-  Candidate candidate(const SimulationState& state, const Group& group, std::size_t worker,
-                      std::int16_t carrier) const {
-    Candidate made{
-        .worker = static_cast<std::int16_t>(worker), .carrier = carrier, .way = {0, 0.0}};
-    const WorkerId id(worker);
-    const auto kind = static_cast<std::size_t>(state.workers[worker].kind);
-    if (carrier < 0) {
-      if (group.goal) made.way = simulator_.route_from_worker(state, id, *group.goal);
-      return made;
+  /// The carrier that the errand has been given already; kNobody: none, or it needs none.
+  static std::int16_t given_carrier(const Errand& errand, const Assignment& so_far) {
+    return errand.carrier_slot ? so_far.members[*errand.carrier_slot] : Assignment::kNobody;
+  }
+
+  std::optional<Choice> choose(const SimulationState& state, const Errand& errand,
+                               const Assignment& so_far) {
+    if (rule_ == Rule::kRandom) return draw(state, errand, so_far);
+    const auto& starts = members_.starts(state, so_far, errand.worker_slot, standpoint_);
+    const std::int16_t given = given_carrier(errand, so_far);
+    if (!errand.carrier_slot) return choose_alone(state, errand, starts);
+    if (given < 0 && rule_ != Rule::kFirstIdle) {
+      return choose_pair(state, errand, starts,
+                         members_.spots(state, so_far.task, *errand.carrier_slot));
     }
-    const StationId stands(std::int32_t{state.carriers[static_cast<std::size_t>(carrier)].station});
-    made.way = simulator_.route_from_worker(state, id, stands);
-    if (group.goal) {
-      const Leg& onward = simulator_.line().travel[kind].leg(stands, *group.goal);
-      made.way.ticks += onward.ticks;
-      made.way.metres += onward.metres;
+    const std::int16_t carrier =
+        given >= 0 ? given : members_.first_carrier(state, so_far, *errand.carrier_slot);
+    if (carrier < 0) return std::nullopt;
+    one_spot_.assign(1, {carrier, state.carriers[static_cast<std::size_t>(carrier)].station});
+    return choose_pair(state, errand, starts, one_spot_);
+  }
+
+  std::optional<Choice> choose_alone(const SimulationState& state, const Errand& errand,
+                                     const std::vector<Start>& starts) const {
+    Best best;
+    for (const Start& start : starts) {
+      Cost cost;  // without a goal, and for kFirstIdle, all are alike
+      if (errand.goal && rule_ != Rule::kFirstIdle) {
+        cost = cost_of(way(state, start, *errand.goal));
+      }
+      best.consider(cost, {start.worker, Assignment::kNobody});
     }
+    return best.choice();
+  }
+
+  std::optional<Choice> choose_pair(const SimulationState& state, const Errand& errand,
+                                    const std::vector<Start>& starts,
+                                    const std::vector<Spot>& spots) {
+    Best best;
+    measure_onward(state, errand, starts, spots);
+    // Workers outside: the ways from one station lie side by side in the travel table.
+    for (const Start& start : starts) {
+      for (std::size_t s = 0; s < spots.size(); ++s) {
+        // No way is shorter than its second half.
+        if (rule_ == Rule::kNearest && best.is_below(onward_[s].ticks)) continue;
+        best.consider(cost_of_pair(state, start, spots[s], onward_[s]),
+                      {start.worker, spots[s].carrier});
+      }
+    }
+    return best.choice();
+  }
+
+  /// Fills `onward_`: the ways from the spots to the goal. All starts are of one kind of worker.
+  void measure_onward(const SimulationState& state, const Errand& errand,
+                      const std::vector<Start>& starts, const std::vector<Spot>& spots) {
+    onward_.assign(spots.size(), Leg{0, 0.0});
+    if (starts.empty() || !errand.goal) return;
+    const std::size_t kind = kind_of(state, starts.front());
+    for (std::size_t s = 0; s < spots.size(); ++s) {
+      onward_[s] = simulator_.line().travel[kind].leg(StationId(std::int32_t{spots[s].station}),
+                                                      *errand.goal);
+    }
+  }
+
+  [[nodiscard]] Cost cost_of_pair(const SimulationState& state, const Start& start,
+                                  const Spot& spot, const Leg& onward) const {
+    const StationId stands(std::int32_t{spot.station});
+    if (rule_ == Rule::kFirstIdle) return {0, straight_m(kind_of(state, start), start, stands)};
+    return cost_of(joined(way(state, start, stands), onward));
+  }
+
+  static std::size_t kind_of(const SimulationState& state, const Start& start) {
+    return static_cast<std::size_t>(state.workers[static_cast<std::size_t>(start.worker)].kind);
+  }
+
+  [[nodiscard]] Leg way(const SimulationState& state, const Start& start, StationId to) const {
+    const WorkerId worker(std::int32_t{start.worker});
+    if (standpoint_ == Standpoint::kReal) return simulator_.route_from_worker(state, worker, to);
+    return simulator_.line().travel[kind_of(state, start)].leg(
+        StationId(std::int32_t{start.station}), to);
+  }
+
+  [[nodiscard]] double straight_m(std::size_t kind, const Start& start, StationId to) const {
     const auto point = [&](StationId station) {
       return simulator_.line().stations[station.index()].poses[kind].value_or(Pose2{}).point();
     };
-    made.straight_m =
-        distance_m(point(StationId(std::int32_t{state.workers[worker].station})), point(stands));
-    return made;
+    return distance_m(point(StationId(std::int32_t{start.station})), point(to));
   }
 
-  /// Whether `a` is to be preferred to `b`, which came earlier (ties: the earlier one stays).
-  bool better(const Candidate& a, const Candidate& b) const {
-    switch (rule_) {
-      case Rule::kNearest:
-        return a.way.ticks != b.way.ticks ? a.way.ticks < b.way.ticks : a.way.metres < b.way.metres;
-      case Rule::kFarthest:
-        return a.way.ticks != b.way.ticks ? a.way.ticks > b.way.ticks : a.way.metres > b.way.metres;
-      case Rule::kFirstIdle:
-        return a.carrier == b.carrier && a.straight_m < b.straight_m;
-      case Rule::kRandom:
-        return false;  // chosen by reservoir in choose()
-    }
-    return false;
+  /// Where there is no way the ticks are -1.
+  [[nodiscard]] Cost cost_of(const Leg& way) const {
+    if (way.ticks < 0) return {std::numeric_limits<Tick>::max(), 0.0};
+    if (rule_ == Rule::kFarthest) return {-way.ticks, -way.metres};
+    return {way.ticks, way.metres};
   }
 
-  std::optional<Candidate> choose(const SimulationState& state, const std::vector<CrewSlot>& crew,
-                                  const Group& group, const Assignment& so_far) {
-    std::optional<Candidate> best;
-    std::size_t seen = 0;
-    const auto consider = [&](std::size_t worker, std::int16_t carrier) {
-      ++seen;
-      if (rule_ == Rule::kRandom) {
-        // One candidate needs no draw: with nothing to choose all allocators give the same run.
-        if (seen == 1 || random_.below(seen) == 0) best = candidate(state, group, worker, carrier);
-        return;
-      }
-      const Candidate made = candidate(state, group, worker, carrier);
-      if (!best || better(made, *best)) best = made;
-    };
-    const CrewSlot& slot = crew[group.worker_slot];
-    const auto each_worker = [&](std::int16_t carrier) {
-      for (std::size_t w = 0; w < state.workers.size(); ++w) {
-        if (!state.workers[w].free() || state.workers[w].kind != slot.worker->value) continue;
-        if (in_crew(crew, so_far, group.worker_slot, static_cast<std::int16_t>(w))) continue;
-        consider(w, carrier);
-      }
-    };
-    if (!group.carrier_slot) {
-      each_worker(Assignment::kNobody);
-    } else if (const std::int16_t given = so_far.members[*group.carrier_slot]; given >= 0) {
-      each_worker(given);
-    } else {
-      for (std::size_t c = 0; c < state.carriers.size(); ++c) {
-        if (simulator_.carrier_fits(state, crew[*group.carrier_slot], CarrierId(c))) {
-          each_worker(static_cast<std::int16_t>(c));
-        }
-      }
+  /// One of all (carrier, worker), carriers outside; each is as likely.
+  std::optional<Choice> draw(const SimulationState& state, const Errand& errand,
+                             const Assignment& so_far) {
+    const auto& workers = members_.workers(state, so_far, errand.worker_slot);
+    const std::int16_t given = given_carrier(errand, so_far);
+    if (!errand.carrier_slot || given >= 0) {
+      if (workers.empty()) return std::nullopt;
+      return Choice{workers[draw_index(workers.size())], given};
     }
-    return best;
+    const auto& carriers = members_.carriers(state, so_far.task, *errand.carrier_slot);
+    if (workers.empty() || carriers.empty()) return std::nullopt;
+    const std::size_t pair = draw_index(workers.size() * carriers.size());
+    return Choice{workers[pair % workers.size()], carriers[pair / workers.size()]};
+  }
+
+  /// 0 ... count - 1. One candidate needs no draw: with nothing to choose all allocators give the
+  /// same run.
+  std::size_t draw_index(std::size_t count) {
+    // As many as 64 workers and 64 carriers make. Up to here each candidate replaces the earlier
+    // ones by a draw of its own, which recorded runs depend on; beyond, one draw has to do.
+    constexpr std::size_t kMostDraws = 64 * 64;
+    if (count > kMostDraws) return random_.below(count);
+    std::size_t index = 0;
+    for (std::size_t seen = 2; seen <= count; ++seen) {
+      if (random_.below(seen) == 0) index = seen - 1;
+    }
+    return index;
   }
 
   const Simulator& simulator_;
   Rule rule_;
+  Standpoint standpoint_;
   RandomStream random_;
-  std::vector<std::vector<Group>> groups_;  ///< by task
+  FreeMembers members_;
+  std::vector<std::vector<Errand>> errands_;  ///< by task
+  // Scratch, kept so that a choice allocates nothing.
+  std::vector<Spot> one_spot_;
+  std::vector<Leg> onward_;
 };
 
-constexpr std::array<std::pair<std::string_view, Rule>, 4> kRules{{
-    {"sap", Rule::kNearest},
-    {"no_spatial", Rule::kRandom},
-    {"longest_path", Rule::kFarthest},
-    {"first_idle", Rule::kFirstIdle},
+struct Named {
+  std::string_view name;
+  Rule rule;
+  Standpoint standpoint;
+};
+
+constexpr std::array<Named, 5> kRules{{
+    {"sap", Rule::kNearest, Standpoint::kReal},
+    {"no_spatial", Rule::kRandom, Standpoint::kReal},
+    {"longest_path", Rule::kFarthest, Standpoint::kReal},
+    {"first_idle", Rule::kFirstIdle, Standpoint::kStation},
+    {"sap_snapped", Rule::kNearest, Standpoint::kSnapped},
 }};
 
 }  // namespace
@@ -217,15 +236,17 @@ constexpr std::array<std::pair<std::string_view, Rule>, 4> kRules{{
 const std::vector<std::string>& allocator_names() {
   static const std::vector<std::string> names = [] {
     std::vector<std::string> all;
-    for (const auto& rule : kRules) all.emplace_back(rule.first);
+    for (const Named& rule : kRules) all.emplace_back(rule.name);
     return all;
   }();
   return names;
 }
 
 std::unique_ptr<Allocator> make_allocator(std::string_view name, const Simulator& simulator) {
-  for (const auto& [known, rule] : kRules) {
-    if (known == name) return std::make_unique<RuleAllocator>(simulator, rule);
+  for (const Named& rule : kRules) {
+    if (rule.name == name) {
+      return std::make_unique<RuleAllocator>(simulator, rule.rule, rule.standpoint);
+    }
   }
   throw ScenarioError({}, fmt::format("unknown allocator '{}'", name),
                       name_hint(name, allocator_names()));

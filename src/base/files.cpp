@@ -2,9 +2,13 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <system_error>
+#include <vector>
 
 #include "linewright/base/diagnostic.hpp"
 
@@ -32,6 +36,34 @@ void write_file(const std::string& path, std::string_view text) {
   }
   std::filesystem::rename(partial, target, error);
   if (error) fail(error.message());
+}
+
+std::optional<std::string> read_file(const std::string& path, std::size_t most_bytes,
+                                     std::string& reason) {
+  std::error_code error;
+  if (std::filesystem::is_directory(path, error)) {
+    reason = "it is a folder";
+    return std::nullopt;
+  }
+  errno = 0;
+  std::ifstream stream(path, std::ios::binary);
+  if (!stream) {
+    reason = errno != 0 ? std::strerror(errno) : "unknown reason";
+    return std::nullopt;
+  }
+  // By and by: a small file must not cost what the largest one would.
+  std::string bytes;
+  std::vector<char> chunk(std::size_t{1} << 16);
+  while (stream && bytes.size() <= most_bytes) {
+    const std::size_t wanted = std::min(chunk.size(), most_bytes + 1 - bytes.size());
+    stream.read(chunk.data(), static_cast<std::streamsize>(wanted));
+    bytes.append(chunk.data(), static_cast<std::size_t>(stream.gcount()));
+  }
+  return bytes;
+}
+
+std::string beside(const std::string& file, const std::string& other) {
+  return (std::filesystem::path(file).parent_path() / other).lexically_normal().string();
 }
 
 }  // namespace linewright

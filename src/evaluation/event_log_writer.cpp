@@ -79,11 +79,13 @@ Json operation_list(const LineModel& line) {
 Json hall(const HallMap& map) {
   Json obstacles = Json::array();
   for (const Obstacle& obstacle : map.obstacles) {
+    Json polygon = Json::array();
+    for (const Point2 corner : obstacle.polygon) polygon.push_back({corner.x_m, corner.y_m});
     obstacles.push_back(
-        {{"name", obstacle.name},
-         {"rectangle", {obstacle.x0_m, obstacle.x1_m, obstacle.y0_m, obstacle.y1_m}}});
+        {{"name", obstacle.name}, {"polygon", std::move(polygon)}, {"height", obstacle.height_m}});
   }
-  return {{"bounds", {map.x0_m, map.x1_m, map.y0_m, map.y1_m}},
+  const Rectangle& bounds = map.bounds;
+  return {{"bounds", {bounds.x0_m, bounds.x1_m, bounds.y0_m, bounds.y1_m}},
           {"obstacles", std::move(obstacles)}};
 }
 

@@ -74,7 +74,8 @@ TEST(LogDocument, HoldsTheHeader) {
   EXPECT_EQ(header.tasks[1].number, 2);
   ASSERT_TRUE(header.hall);
   EXPECT_EQ(header.hall->bounds.x1_m, 10.0);
-  EXPECT_EQ(header.hall->obstacles.at(0).rectangle.y0_m, 9.0);
+  EXPECT_EQ(header.hall->obstacles.at(0).polygon.at(2).y_m, 10.0);
+  EXPECT_EQ(header.hall->obstacles.at(0).height_m, 2.5);
 }
 
 TEST(LogDocument, HoldsTheEvents) {
@@ -208,7 +209,7 @@ TEST(LogDocument, RefusesAHeaderWithoutAKey) {
   for (const std::string key :
        {"line", "scenario_hash", "tick_s", "horizon", "order", "workers", "carriers", "stations",
         "places", "machines", "operations", "tasks", "finished_in", "kind", "capacity\":2,\"start",
-        "bounds", "obstacles", "rectangle"}) {
+        "bounds", "obstacles", "polygon", "height"}) {
     const std::string said = complaint(small_log_with("\"" + key + "\":", "\"x" + key + "\":"));
     EXPECT_NE(said.find("run.jsonl:1: error: "), std::string::npos) << key << said;
     EXPECT_NE(said.find("lacks the key"), std::string::npos) << key << said;

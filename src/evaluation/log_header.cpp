@@ -11,7 +11,8 @@ namespace linewright::event_log {
 namespace {
 
 // Far beyond what a scenario may have; bounds what a hostile file can cost.
-constexpr std::size_t kMostEntries = 5'000;
+constexpr double kTallestObstacle = 1e5;  // metres
+constexpr std::size_t kMostEntries = 30'000;
 constexpr std::int64_t kLargestAmount = 1'000'000'000'000;
 constexpr std::int64_t kLargestInt = INT32_MAX;
 
@@ -214,6 +215,16 @@ class HeaderReader {
     return {n[0], n[1], n[2], n[3]};
   }
 
+  std::vector<Point2> polygon(const LogFields& obstacle) const {
+    std::vector<Point2> corners;
+    for (const Json& corner : obstacle.list("polygon")) {
+      const auto n = numbers_of(corner, 2, "a corner of " + obstacle.title(), where_);
+      corners.push_back({n[0], n[1]});
+    }
+    if (corners.size() < 3) obstacle.wrong("polygon", "a list of three corners at least");
+    return corners;
+  }
+
   void read_hall() {
     if (fields_.find("hall") == nullptr) return;
     const LogFields hall = fields_.object("hall");
@@ -221,7 +232,8 @@ class HeaderReader {
     read.bounds = rectangle(hall, "bounds");
     for (const Json& entry : hall.list("obstacles")) {
       const LogFields obstacle(entry, "an obstacle of the hall", where_);
-      read.obstacles.push_back({obstacle.text("name"), rectangle(obstacle, "rectangle")});
+      read.obstacles.push_back({obstacle.text("name"), polygon(obstacle),
+                                obstacle.number("height", 0.0, kTallestObstacle)});
     }
   }
 

@@ -16,6 +16,8 @@ namespace {
 
 using Json = nlohmann::json;
 
+constexpr std::size_t kMostOfAKind = 10'000;  // what scenarios allow
+
 /// Reads a record, collecting everything that is wrong with it.
 class Reader {
  public:
@@ -144,16 +146,17 @@ class Reader {
     for (std::size_t k = 0; k < line_.worker_kinds.size(); ++k) {
       const WorkerKind& kind = line_.worker_kinds[k];
       run_.setup.worker_start.push_back(stations(start, kind.name, k));
-      const auto count = static_cast<std::int32_t>(run_.setup.worker_start.back().size());
-      if (problems_.empty() && (count < 1 || count > 64)) {
-        problem(fmt::format("start: {} {}s", count, kind.name), "give 1 to 64 of them");
+      const std::size_t count = run_.setup.worker_start.back().size();
+      if (problems_.empty() && (count < 1 || count > kMostOfAKind)) {
+        problem(fmt::format("start: {} {}s", count, kind.name),
+                fmt::format("give 1 to {} of them", kMostOfAKind));
       }
     }
     for (const CarrierKind& kind : line_.carrier_kinds) {
       run_.setup.carrier_start.push_back(stations(start, kind.name, kind.moved_by.index()));
-      if (run_.setup.carrier_start.back().size() > 64) {
+      if (run_.setup.carrier_start.back().size() > kMostOfAKind) {
         problem(fmt::format("start: {} {}s", run_.setup.carrier_start.back().size(), kind.name),
-                "give at most 64 of them");
+                fmt::format("give at most {} of them", kMostOfAKind));
       }
     }
   }

@@ -1,9 +1,11 @@
 #include "linewright/map/occupancy_grid.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
-#include "row_spans.hpp"
+#include "linewright/map/row_spans.hpp"
 
 namespace linewright {
 namespace {
@@ -67,6 +69,13 @@ Cell GridFrame::cell_at(Point2 in_map) const {
 
 Point2 GridFrame::center(Cell cell) const {
   return to_map(Point2{(cell.column + 0.5) * cell_m, (cell.row + 0.5) * cell_m});
+}
+
+std::string too_many_cells(double cells) {
+  return fmt::format(
+      "{:.0f} cells, more than {}: the grid would take about {:.0f} MB, and routes on it several "
+      "times as much",
+      cells, kMostGridCells, std::ceil(cells / 1e6));
 }
 
 OccupancyGrid::OccupancyGrid(const GridFrame& frame)

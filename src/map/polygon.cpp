@@ -42,6 +42,18 @@ bool segments_meet(Point2 a, Point2 b, Point2 c, Point2 d) {
          (a_side == 0 && on_segment(a, c, d)) || (b_side == 0 && on_segment(b, c, d));
 }
 
+/// The corner where the sides before and after it meet once both have moved out by `margin_m`.
+Point2 moved_out(Point2 before, Point2 corner, Point2 after, double margin_m) {
+  const auto normal = [](Point2 a, Point2 b) {
+    const double length = distance_m(a, b);
+    return Point2{(b.y_m - a.y_m) / length, (a.x_m - b.x_m) / length};
+  };
+  const Point2 n = normal(before, corner);
+  const Point2 m = normal(corner, after);
+  const double scale = margin_m / (1.0 + n.x_m * m.x_m + n.y_m * m.y_m);
+  return {corner.x_m + (n.x_m + m.x_m) * scale, corner.y_m + (n.y_m + m.y_m) * scale};
+}
+
 }  // namespace
 
 Polygon corners_of(const Rectangle& r) {
@@ -52,9 +64,12 @@ std::optional<std::string> polygon_fault(const Polygon& corners) {
   const std::size_t count = corners.size();
   if (count < 3) return fmt::format("it has {} corners, and needs three at least", count);
   for (std::size_t i = 0; i < count; ++i) {
+    if (distance_m(corners[i], corners[(i + 1) % count]) > 0.0) continue;
+    return fmt::format("corners {} and {} are one point", i + 1, (i + 1) % count + 1);
+  }
+  for (std::size_t i = 0; i < count; ++i) {
     const Point2 a = corners[i];
     const Point2 b = corners[(i + 1) % count];
-    if (distance_m(a, b) == 0.0) return fmt::format("corners {} and {} are one point", i + 1, (i + 1) % count + 1);
     // The next side shares a corner with this one; it may only go on, not back.
     const Point2 next = corners[(i + 2) % count];
     if (cross(a, b, next) == 0.0 &&
@@ -83,8 +98,8 @@ bool is_convex(const Polygon& polygon) {
   bool left = false;
   bool right = false;
   for (std::size_t i = 0; i < polygon.size(); ++i) {
-    const double turn = cross(polygon[i], polygon[(i + 1) % polygon.size()],
-                              polygon[(i + 2) % polygon.size()]);
+    const double turn =
+        cross(polygon[i], polygon[(i + 1) % polygon.size()], polygon[(i + 2) % polygon.size()]);
     left = left || turn > 0.0;
     right = right || turn < 0.0;
   }
@@ -108,10 +123,37 @@ double distance_to_m(Point2 point, const Polygon& polygon) {
   if (contains(polygon, point)) return 0.0;
   double nearest = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < polygon.size(); ++i) {
-    nearest = std::min(nearest, distance_to_segment_m(point, polygon[i],
-                                                      polygon[(i + 1) % polygon.size()]));
+    nearest = std::min(nearest,
+                       distance_to_segment_m(point, polygon[i], polygon[(i + 1) % polygon.size()]));
   }
   return nearest;
+}
+
+Polygon convex_hull(Polygon points) {
+  std::sort(points.begin(), points.end(),
+            [](Point2 a, Point2 b) { return a.x_m != b.x_m ? a.x_m < b.x_m : a.y_m < b.y_m; });
+  // Andrew's monotone chain.
+  Polygon hull;
+  const auto add = [&](Point2 point, std::size_t floor) {
+    while (hull.size() >= floor + 2 && cross(hull[hull.size() - 2], hull.back(), point) <= 0.0) {
+      hull.pop_back();
+    }
+    hull.push_back(point);
+  };
+  for (const Point2 point : points) add(point, 0);
+  const std::size_t floor = hull.size() - 1;
+  for (std::size_t i = points.size() - 1; i-- > 0;) add(points[i], floor);
+  hull.pop_back();
+  return hull;
+}
+
+Polygon grown(const Polygon& convex, double margin_m) {
+  Polygon grown;
+  for (std::size_t i = 0; i < convex.size(); ++i) {
+    grown.push_back(moved_out(convex[(i + convex.size() - 1) % convex.size()], convex[i],
+                              convex[(i + 1) % convex.size()], margin_m));
+  }
+  return grown;
 }
 
 Rectangle bounds_of(const Polygon& polygon) {

@@ -1,4 +1,4 @@
-#include "row_spans.hpp"
+#include "linewright/map/row_spans.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -88,8 +88,8 @@ void RowSpans::collect_inside(double middle) {
   std::sort(crossings_.begin(), crossings_.end());
   for (std::size_t i = 0; i + 1 < crossings_.size(); i += 2) {
     // Cells whose middle lies between the crossings.
-    spans_.push_back({to_index(std::ceil(crossings_[i] - 0.5)),
-                      to_index(std::floor(crossings_[i + 1] - 0.5))});
+    spans_.push_back(
+        {to_index(std::ceil(crossings_[i] - 0.5)), to_index(std::floor(crossings_[i + 1] - 0.5))});
   }
 }
 

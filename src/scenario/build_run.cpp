@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 #include "build_state.hpp"
@@ -105,30 +104,6 @@ std::string line_name(BuildState& state) {
   return name->text;
 }
 
-struct Bounds {
-  double x0, x1, y0, y1;
-};
-
-std::optional<Bounds> rectangle(BuildState& state, const SourceNode& node,
-                                const std::string& title) {
-  if (!node.is_list()) return std::nullopt;
-  const auto number = [&](std::size_t i) { return parse_real(node.items[i].text).value_or(0.0); };
-  const Bounds r{number(0), number(1), number(2), number(3)};
-  if (r.x0 < r.x1 && r.y0 < r.y1) return r;
-  state.problems.error(node.mark, fmt::format("{}: the rectangle has no area", title),
-                       "write [x0, x1, y0, y1] with x0 < x1 and y0 < y1");
-  return std::nullopt;
-}
-
-void check_cells(BuildState& state, const SourceNode& node, const HallMap& map) {
-  const double cells =
-      std::ceil((map.x1_m - map.x0_m) / map.cell_m) * std::ceil((map.y1_m - map.y0_m) / map.cell_m);
-  if (cells <= static_cast<double>(kMostCells)) return;
-  state.problems.error(node.mark,
-                       fmt::format("the map: {:.0f} cells, more than {}", cells, kMostCells),
-                       "make 'cell_m' larger");
-}
-
 }  // namespace
 
 void build_run(BuildState& state) {
@@ -140,24 +115,6 @@ void build_run(BuildState& state) {
   build_horizon(state);
   state.each(Section::kMilestones,
              [&](std::int32_t id, const SourceNode& node) { build_milestone(state, id, node); });
-}
-
-void build_map(BuildState& state) {
-  const SourceNode* node = state.root.find("map");
-  if (node == nullptr) return;
-  const SourceNode* bounds = node->find("bounds");
-  const auto hall = bounds != nullptr ? rectangle(state, *bounds, "the map") : std::nullopt;
-  if (!hall) return;
-  HallMap map{hall->x0, hall->x1, hall->y0, hall->y1, real_or(*node, "cell_m", 0.25), {}};
-  if (const SourceNode* obstacles = node->find("obstacles")) {
-    for (const SourceEntry& entry : obstacles->entries) {
-      const auto r =
-          rectangle(state, entry.value, fmt::format("obstacle {}", in_quotes(entry.key)));
-      if (r) map.obstacles.push_back({entry.key, r->x0, r->x1, r->y0, r->y1});
-    }
-  }
-  check_cells(state, *node, map);
-  state.scenario.map = std::move(map);
 }
 
 }  // namespace linewright::loading

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "linewright/scenario/load.hpp"
 #include "linewright/scenario/scenario.hpp"
 #include "names.hpp"
 #include "source_node.hpp"
@@ -24,7 +25,11 @@ struct BuildState {
   const SourceNode& root;  ///< checked against the key tables
   NameTable names;
   Scenario scenario;
-  std::vector<TaskSource> task_sources;            ///< by task id
+  LoadOptions options;
+  std::string route_cache_file;           ///< empty: routes are not kept
+  bool may_read_files = true;             ///< false: the scenario is a text without a folder
+  std::optional<std::uint64_t> map_hash;  ///< of the map file's content, where there is one
+  std::vector<TaskSource> task_sources;   ///< by task id
   std::array<std::vector<bool>, kSections> sound;  ///< by section and id: nothing wrong reported
 
   BuildState(const SourceNode& checked_root, Problems& found);

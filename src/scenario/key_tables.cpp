@@ -123,8 +123,8 @@ ShapePtr range(std::int32_t min) {
 }
 
 ShapePtr start(const std::string& of) {
-  return one_of(
-      {choice({"random_station"}), list(name("a station"), "a list of stations, one per " + of)});
+  return one_of({choice({"random_station"}),
+                 list(name("a station"), "a list of stations, one per " + of, 0, kMostOfAKind)});
 }
 
 ShapePtr rectangle() { return list(coordinate(), "[x0, x1, y0, y1]", 4, 4); }
@@ -315,12 +315,28 @@ ShapePtr milestone() {
                   event("task_end", "a task", "When the task ends")});
 }
 
+ShapePtr obstacle() {
+  const Field height = key("height_m", real(1e-3, 1e3), "For pictures, metres. Default 1.0");
+  const ShapePtr corners =
+      list(list(coordinate(), "[x, y]", 2, 2),
+           fmt::format("a list of 3 to {} corners [x, y]", kMostCorners), 3, kMostCorners);
+  return one_of(
+      {rectangle(),
+       variant(
+           "obstacle", "a mapping {rectangle: [x0, x1, y0, y1], height_m: H}",
+           {mapping("", {required("rectangle", rectangle(), "x0, x1, y0, y1 in metres"), height}),
+            mapping("", {required("polygon", corners, "Corners in order, metres"), height})})});
+}
+
 ShapePtr map() {
   return mapping(
-      "a mapping with bounds and obstacles",
-      {required("bounds", rectangle(), "x0, x1, y0, y1 in metres"),
-       key("cell_m", real(kSmallestCell, 100), "Edge of a grid cell, metres. Default 0.25"),
-       key("obstacles", section("obstacle", rectangle()), "Rectangles x0, x1, y0, y1 in metres")});
+      "a mapping with bounds or occupancy, and obstacles",
+      {key("bounds", rectangle(), "x0, x1, y0, y1 in metres; this or `occupancy` is required"),
+       key("cell_m", real(kSmallestCell, 100),
+           "With `bounds`: edge of a grid cell, metres. Default 0.25"),
+       key("occupancy", scalar(Kind::kText, "a file name"),
+           "A map of ROS map_server (YAML), relative to this file"),
+       key("obstacles", section("obstacle", obstacle()), "What nothing drives through")});
 }
 
 ShapePtr zone() {
@@ -339,7 +355,27 @@ ShapePtr travel() {
   const ShapePtr leg = one_of({ticks(), list(real(0, kMaxTicks), "[ticks, metres]", 2, 2)});
   const ShapePtr row = names_to(leg, "a mapping {TO: ticks}", "", kMostStations);
   const ShapePtr table = names_to(row, "a table {FROM: {TO: ticks}}", "", kMostStations);
-  return names_to(one_of({choice({"straight", "grid"}), table}), "a mapping from kinds of workers");
+  return names_to(one_of({choice({"straight", "hybrid_a_star", "a_star", "dijkstra"}), table}),
+                  "a mapping from kinds of workers");
+}
+
+ShapePtr routes() {
+  return mapping(
+      "a mapping of options for planning routes",
+      {key("clearance_m", real(0.001, 0.5), "Kept free around the footprint. Default 0.01"),
+       key("headings", integer(16, 180), "Directions the search tells apart. Default 72"),
+       key("reverse_penalty", real(1, 5), "Factor on metres driven backwards. Default 1.05"),
+       key("direction_change_m", real(0, 5),
+           "Metres that a change of direction counts. Default 0.1"),
+       key("steering_change_m", real(0, 1),
+           "Metres that a change between straight and arc counts. Default 0.02"),
+       key("turn_m_per_rad", real(0, 5),
+           "Metres that a radian turned on the spot counts. Default 0.1"),
+       key("greed", real(1, 3),
+           "Factor on the estimate of what is left: faster, and longer ways. Default 1"),
+       key("smoothing_passes", integer(0, 10), "Default 3"),
+       key("most_expansions", integer(1, 100'000'000),
+           "Nodes after which the search for a way gives up. Default 3000000")});
 }
 
 ShapePtr order() {
@@ -385,6 +421,7 @@ Shape whole_scenario() {
            "Names under which the log notes events"),
        key("map", map(), "The hall"),
        key("zones", section("zone", zone(), kMostZones), "Parts of the floor that can be closed"),
+       key("routes", routes(), "How routes are planned on the map"),
        key("travel", travel(),
            "Per kind of worker: straight, grid, or a table {FROM: {TO: ticks}}")});
 }

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "build_state.hpp"
+#include "linewright/base/hash.hpp"
 #include "shape.hpp"
 #include "shape_check.hpp"
 #include "source_files.hpp"
@@ -41,30 +42,36 @@ void check(const BuildState& state) {
 
 /// From the merged tree to the scenario. Names come first and everything that needs the whole line
 /// last, so that the order in the file does not matter.
-Scenario resolve(SourceNode root, const std::string& file, Problems& problems) {
-  const std::uint64_t hash = loading::content_hash(root);
+Scenario resolve(SourceNode root, const std::string& file, bool may_read_files,
+                 const LoadOptions& options, Problems& problems) {
+  std::uint64_t hash = loading::content_hash(root);
   loading::expand_templates(root, problems);
   loading::check_shape(root, loading::scenario_shape(), problems);
   BuildState state(root, problems);
+  state.may_read_files = may_read_files;
+  state.options = options;
+  state.scenario.file = file;
+  if (may_read_files && options.route_cache) state.route_cache_file = file + ".routes";
   build(state);
   check(state);
   loading::build_travel(state);
   problems.throw_if_any();
-  state.scenario.file = file;
+  if (state.map_hash) hash = hash_of(std::to_string(*state.map_hash), hash);
   state.scenario.content_hash = hash;
   return std::move(state.scenario);
 }
 
 }  // namespace
 
-Scenario load_scenario(const std::string& file) {
+Scenario load_scenario(const std::string& file, const LoadOptions& options) {
   Problems problems;
   SourceNode root = loading::read_files(file, problems);
   if (root.is_broken()) problems.throw_if_any();
-  return resolve(std::move(root), file, problems);
+  return resolve(std::move(root), file, true, options, problems);
 }
 
-Scenario load_scenario_text(std::string_view text, const std::string& file_name) {
+Scenario load_scenario_text(std::string_view text, const std::string& file_name,
+                            const LoadOptions& options) {
   Problems problems;
   SourceNode root = loading::read_yaml(text, problems.add_file(file_name), problems);
   if (root.is_broken()) problems.throw_if_any();
@@ -72,7 +79,7 @@ Scenario load_scenario_text(std::string_view text, const std::string& file_name)
     problems.error(extends->mark, "'extends' needs a file, and this text has no folder",
                    "load the scenario from a file");
   }
-  return resolve(std::move(root), file_name, problems);
+  return resolve(std::move(root), file_name, false, options, problems);
 }
 
 }  // namespace linewright

@@ -4,7 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <string>
+
+#include "linewright/base/files.hpp"
 
 namespace linewright {
 namespace {
@@ -202,6 +205,111 @@ TEST(LoadScenario, WaysOnAMapLeadAroundObstaclesAndAreDrawn) {
   EXPECT_GT(leg.metres, 15.0);
   EXPECT_EQ(leg.ticks, static_cast<Tick>(std::ceil(leg.metres)));
   EXPECT_GE(line.travel[0].path(StationId(0), StationId(1)).size(), 4U);
+}
+
+TEST(LoadMap, ObstaclesOfEveryShapeAreInTheGrid) {
+  const Scenario scenario =
+      load_scenario_text(small_line("map:\n"
+                                    "  bounds: [-2, 4, 1, 5]\n"
+                                    "  cell_m: 0.5\n"
+                                    "  obstacles:\n"
+                                    "    short: [-2, -1, 1, 2]\n"
+                                    "    tall: {rectangle: [3, 4, 4, 5], height_m: 2.5}\n"
+                                    "    clockwise: {polygon: [[0, 1], [0, 3], [2, 1]]}\n"),
+                         "t.yaml");
+  ASSERT_TRUE(scenario.map);
+  const HallMap& map = *scenario.map;
+  EXPECT_EQ(map.bounds.x0_m, -2.0);
+  EXPECT_EQ(map.bounds.y1_m, 5.0);
+  EXPECT_EQ(map.cell_m, 0.5);
+  EXPECT_TRUE(map.occupancy.empty());
+  ASSERT_EQ(map.obstacles.size(), 3U);
+  EXPECT_EQ(map.obstacles[0].height_m, 1.0);
+  EXPECT_EQ(map.obstacles[1].height_m, 2.5);
+  EXPECT_EQ(doubled_area_m2(map.obstacles[2].polygon), 4.0);
+  const OccupancyGrid& grid = *map.grid;
+  EXPECT_EQ(grid.columns(), 12);
+  EXPECT_EQ(grid.rows(), 8);
+  EXPECT_EQ(grid.count(CellState::kOccupied), 4U + 4U + 10U);
+  EXPECT_TRUE(grid.blocked(grid.frame().cell_at({0.1, 2.6})));
+}
+
+TEST(LoadMap, TheMapFileOfTheDuctLineIsItsHall) {
+  const std::string root = LINEWRIGHT_SOURCE_DIR;
+  const Scenario drawn = load_scenario(kFolder + "duct_line.yaml");
+  const Scenario read = load_scenario(root + "/tests/data/duct_line_on_map_file.yaml");
+  EXPECT_EQ(read.map->occupancy, kFolder + "maps/duct_hall.yaml");
+  EXPECT_EQ(read.map->grid->cells(), drawn.map->grid->cells());
+  EXPECT_EQ(read.map->cell_m, drawn.map->cell_m);
+  EXPECT_EQ(read.map->bounds.x0_m, drawn.map->bounds.x0_m);
+  EXPECT_EQ(read.map->bounds.y1_m, drawn.map->bounds.y1_m);
+  EXPECT_TRUE(read.map->obstacles.empty());
+}
+
+/// A folder with a scenario, the file it extends, and a map beside that.
+class MapOfAnExtendedFile : public testing::Test {
+ protected:
+  void SetUp() override {
+    write_file(folder_ + "/line.yaml", "schema: line/1\nextends: base/base.yaml\nname: child\n");
+    write_file(folder_ + "/base/base.yaml", small_line("map:\n"
+                                                       "  occupancy: maps/m.yaml\n"
+                                                       "  obstacles: {box: [0, 1, 0, 1]}\n"));
+    write_map("[0, 0, 0]", "\xfe\xfe\xfe\xcd\xfe\xfe");
+  }
+  void TearDown() override { std::filesystem::remove_all(folder_); }
+
+  void write_map(const std::string& origin, const std::string& pixels) const {
+    write_file(folder_ + "/base/maps/m.pgm", "P5 3 2 255\n" + pixels);
+    write_file(folder_ + "/base/maps/m.yaml",
+               "image: m.pgm\nresolution: 1\norigin: " + origin +
+                   "\nnegate: 0\noccupied_thresh: 0.65\nfree_thresh: 0.196\n");
+  }
+  [[nodiscard]] Scenario load() const { return load_scenario(folder_ + "/line.yaml"); }
+
+  // One per test: they may run at the same time.
+  std::string folder_ = testing::TempDir() + "/map_of_an_extended_file_" +
+                        testing::UnitTest::GetInstance()->current_test_info()->name();
+};
+
+TEST_F(MapOfAnExtendedFile, IsFoundBesideTheFileThatNamesIt) {
+  const Scenario scenario = load();
+  const OccupancyGrid& grid = *scenario.map->grid;
+  EXPECT_EQ(grid.columns(), 3);
+  EXPECT_EQ(grid.state({0, 0}),
+            CellState::kOccupied);  // the box, over what is unknown in the image
+  EXPECT_EQ(grid.count(CellState::kFree), 5U);
+}
+
+TEST_F(MapOfAnExtendedFile, ChangesTheHashWithItsImage) {
+  const std::uint64_t before = load().content_hash;
+  EXPECT_EQ(load().content_hash, before);
+  write_map("[0, 0, 0]", "\xfe\xfe\xfe\xfe\xfe\xfe");
+  EXPECT_NE(load().content_hash, before);
+}
+
+TEST_F(MapOfAnExtendedFile, MayBeTurnedWithinItsBounds) {
+  write_map("[10, 20, 1.5707963267948966]", "\xfe\xfe\xfe\xfe\xfe\xfe");
+  const Rectangle bounds = load().map->bounds;
+  EXPECT_NEAR(bounds.x0_m, 8.0, 1e-9);
+  EXPECT_NEAR(bounds.x1_m, 10.0, 1e-9);
+  EXPECT_NEAR(bounds.y0_m, 20.0, 1e-9);
+  EXPECT_NEAR(bounds.y1_m, 23.0, 1e-9);
+}
+
+TEST(LoadMap, AMapFileNeedsAFolder) {
+  EXPECT_NE(error_of(small_line("map: {occupancy: m.yaml}\n"))
+                .find("t.yaml:7:18: error: 'occupancy' needs a file"),
+            std::string::npos);
+}
+
+TEST(LoadMap, ObstaclesThatWouldTakeTooLongToDrawAreRefused) {
+  std::string obstacles;
+  for (int i = 0; i < 100; ++i) obstacles += "    o" + std::to_string(i) + ": [0, 100, 0, 100]\n";
+  EXPECT_NE(error_of(small_line("map:\n  bounds: [0, 100, 0, 100]\n  cell_m: 0.03\n"
+                                "  obstacles:\n" +
+                                obstacles))
+                .find("the obstacles cover too many cells of the map"),
+            std::string::npos);
 }
 
 TEST(LoadScenario, HashIgnoresCommentsAndLayoutOnly) {

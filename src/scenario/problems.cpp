@@ -52,25 +52,4 @@ void Problems::throw_if_any() const {
   throw ScenarioError(std::move(diagnostics));
 }
 
-std::string in_quotes(std::string_view text) {
-  constexpr std::size_t kLongest = 60;
-  std::size_t length = std::min(text.size(), kLongest);
-  // Never cut inside a UTF-8 sequence: continuation bytes start with the bits 10.
-  while (length < text.size() && length > 0 &&
-         (static_cast<unsigned char>(text[length]) >> 6) == 2) {
-    --length;
-  }
-  std::string result = "'";
-  for (const char c : text.substr(0, length)) {
-    const auto byte = static_cast<unsigned char>(c);
-    if (byte < 0x20 || byte == 0x7f) {
-      result += fmt::format("\\x{:02x}", byte);
-    } else {
-      result += c;
-    }
-  }
-  if (length < text.size()) result += "...";
-  return result + "'";
-}
-
 }  // namespace linewright::loading

@@ -61,7 +61,4 @@ class Problems {
   std::size_t count_ = 0;  ///< also those that are not kept any more
 };
 
-/// `text` in single quotes, control characters escaped, long text cut: safe to put into a message.
-[[nodiscard]] std::string in_quotes(std::string_view text);
-
 }  // namespace linewright::loading

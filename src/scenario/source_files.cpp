@@ -3,17 +3,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cerrno>
-#include <cstring>
 #include <filesystem>
-#include <fstream>
 #include <map>
 #include <optional>
-#include <string_view>
 #include <system_error>
 #include <utility>
 #include <vector>
 
+#include "linewright/base/files.hpp"
 #include "yaml_reader.hpp"
 
 namespace linewright::loading {
@@ -34,35 +31,11 @@ SourceNode broken_at(SourceMark mark) {
   return node;
 }
 
-/// At most one byte more than a scenario may have, so that no device file can fill the memory.
-std::optional<std::string> read_bytes(const std::string& file, std::string& reason) {
-  std::error_code error;
-  if (std::filesystem::is_directory(file, error)) {
-    reason = "it is a folder";
-    return std::nullopt;
-  }
-  errno = 0;
-  std::ifstream stream(file, std::ios::binary);
-  if (!stream) {
-    reason = errno != 0 ? std::strerror(errno) : "unknown reason";
-    return std::nullopt;
-  }
-  std::string bytes(kMaxFileBytes + 1, '\0');
-  stream.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-  bytes.resize(static_cast<std::size_t>(stream.gcount()));
-  return bytes;
-}
-
 /// One name per file, however it is spelled, to recognise a cycle.
 std::string identity_of(const std::string& file) {
   std::error_code error;
   const std::filesystem::path path = std::filesystem::weakly_canonical(file, error);
   return error ? file : path.string();
-}
-
-/// As the user would name it: relative to where the extending file is.
-std::string sibling(const std::string& file, const std::string& other) {
-  return (std::filesystem::path(file).parent_path() / other).lexically_normal().string();
 }
 
 SourceNode read_chain(const std::string& file, Chain chain, Problems& problems);
@@ -84,7 +57,7 @@ SourceNode on_base(SourceNode root, const SourceNode& extends, const std::string
                    "write: extends: other.yaml");
     return root;
   }
-  const std::string base_file = sibling(file, extends.text);
+  const std::string base_file = beside(file, extends.text);
   chain.named_at = extends.mark;
   SourceNode base = read_chain(base_file, std::move(chain), problems);
   if (base.is_broken()) return base;
@@ -114,7 +87,7 @@ SourceNode read_chain(const std::string& file, Chain chain, Problems& problems) 
     return broken_at(chain.named_at);
   }
   std::string reason;
-  const std::optional<std::string> bytes = read_bytes(file, reason);
+  const std::optional<std::string> bytes = read_file(file, kMaxFileBytes, reason);
   if (!bytes) {
     if (chain.identities.empty()) chain.named_at = {problems.add_file(file), 0, 0};
     problems.error(chain.named_at, fmt::format("cannot read {}: {}", in_quotes(file), reason),

@@ -3,16 +3,14 @@
 #include <algorithm>
 #include <utility>
 
+#include "linewright/base/hash.hpp"
+
 namespace linewright::loading {
 namespace {
 
 class Fnv1a {
  public:
-  void add(std::string_view bytes) {
-    for (const char c : bytes) {
-      hash_ = (hash_ ^ static_cast<unsigned char>(c)) * 0x100000001b3ULL;
-    }
-  }
+  void add(std::string_view bytes) { hash_ = hash_of(bytes, hash_); }
   /// A text behind its kind and length, so that no two different trees read the same.
   void add_text(char kind, std::string_view text) {
     add({&kind, 1});
@@ -23,7 +21,7 @@ class Fnv1a {
   [[nodiscard]] std::uint64_t value() const { return hash_; }
 
  private:
-  std::uint64_t hash_ = 0xcbf29ce484222325ULL;
+  std::uint64_t hash_ = kHashStart;
 };
 
 void hash_node(const SourceNode& node, Fnv1a& hash) {

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "build_state.hpp"
+#include "linewright/routing/path_planner.hpp"
 #include "needed_ways.hpp"
 #include "values.hpp"
 
@@ -106,21 +107,25 @@ bool is_written(const SourceNode& mapping, std::string_view key) {
                      [&](const SourceEntry& entry) { return entry.key == key; });
 }
 
-void fill_kind(BuildState& state, std::size_t kind, const SourceNode* travel) {
-  const SourceNode* given =
-      travel != nullptr ? travel->find(state.line().worker_kinds[kind].name) : nullptr;
+/// Fills the table of a kind, or notes that its routes are planned on the map.
+void fill_kind(BuildState& state, std::size_t kind, const SourceNode* travel,
+               std::vector<RoutedKind>& routed) {
+  const std::string& name = state.line().worker_kinds[kind].name;
+  const SourceNode* given = travel != nullptr ? travel->find(name) : nullptr;
   const SourceMark mark =
       given != nullptr ? given->mark
                        : state.names.mark(Section::kWorkers, static_cast<std::int32_t>(kind));
   if (given != nullptr && given->is_mapping()) return TableReader(state, kind, *given).read();
-  const bool on_grid = given != nullptr ? given->text == "grid" : is_written(state.root, "map");
-  if (!on_grid) return fill_straight(state, kind, mark);
-  if (state.scenario.map) return fill_from_grid(state, kind, mark);
-  if (is_written(state.root, "map")) return;  // it was reported as wrong
-  state.problems.error(mark,
-                       fmt::format("travel of {}: 'grid' needs a map",
-                                   in_quotes(state.line().worker_kinds[kind].name)),
-                       "write map: {bounds: [x0, x1, y0, y1]}, or travel: straight");
+  const bool has_map = is_written(state.root, "map");
+  const bool straight = given != nullptr ? given->text == "straight" : !has_map;
+  if (straight) return fill_straight(state, kind, mark);
+  if (state.scenario.map) {
+    routed.push_back({kind, given != nullptr ? given->text : path_planner_names().front(), mark});
+  } else if (!has_map) {  // else it was reported as wrong
+    state.problems.error(
+        mark, fmt::format("travel of {}: '{}' needs a map", in_quotes(name), given->text),
+        "write map: {bounds: [x0, x1, y0, y1]}, or travel: straight");
+  }
 }
 
 /// The stations of `to` that cannot be reached from `from`, as a list for a message; maybe empty.
@@ -137,11 +142,56 @@ std::string missing_from(const BuildState& state, std::size_t kind, StationId fr
   return missing > kMostNamed ? fmt::format("{} and {} more", list, missing - kMostNamed) : list;
 }
 
+std::string hint_for(PathStatus status) {
+  switch (status) {
+    case PathStatus::kNoManoeuvre:
+      return "a smaller 'turning_radius_m' or footprint, a wider aisle, or a finer map";
+    case PathStatus::kSearchLimit:
+      return "raise 'most_expansions' in 'routes', or make 'cell_m' larger";
+    default:
+      return "make an aisle wider, the footprint smaller, or 'cell_m' finer";
+  }
+}
+
+/// Reports every way on the map that a task can need and that was not found, and why.
+void check_routes(const BuildState& state, std::size_t kind, SourceMark mark,
+                  const NeededWays& ways) {
+  const KindRoutes& routes = *state.scenario.routes[kind];
+  const auto stop_of = [&](StationId station) {
+    const auto found = std::find(routes.stations.begin(), routes.stations.end(), station);
+    return static_cast<std::size_t>(found - routes.stations.begin());
+  };
+  for (const StationId from : ways.from) {
+    for (const StationId to : ways.to) {
+      if (from == to || state.line().travel[kind].leg(from, to).ticks >= 0) continue;
+      const std::size_t a = stop_of(from);
+      const std::size_t b = stop_of(to);
+      const PathStatus status = routes.routes.path(a, b).status;
+      if (status == PathStatus::kFound) {  // then it takes more ticks than there are
+        state.problems.error(mark,
+                             fmt::format("worker {} is too slow", in_quotes(routes.request.kind)),
+                             "check speed_mps, turn_rate_radps, acceleration_mps2 and tick_s");
+        return;
+      }
+      state.problems.error(mark,
+                           fmt::format("travel of {}: {}", in_quotes(routes.request.kind),
+                                       explain_missing(routes.request, a, b, status)),
+                           hint_for(status));
+    }
+  }
+}
+
 void check_ways(const BuildState& state, std::size_t kind, const SourceNode* travel) {
   const std::string& worker = state.line().worker_kinds[kind].name;
   const SourceNode* given = travel != nullptr ? travel->find(worker) : nullptr;
   const bool measured = given != nullptr && given->is_mapping();
   const NeededWays ways = needed_ways(state.line(), WorkerKindId(kind));
+  if (state.scenario.routes[kind]) {
+    const SourceMark mark =
+        given != nullptr ? given->mark
+                         : state.names.mark(Section::kWorkers, static_cast<std::int32_t>(kind));
+    return check_routes(state, kind, mark, ways);
+  }
   for (const StationId from : ways.from) {
     const std::string missing = missing_from(state, kind, from, ways.to);
     if (missing.empty()) continue;
@@ -155,8 +205,7 @@ void check_ways(const BuildState& state, std::size_t kind, const SourceNode* tra
         mark,
         fmt::format("travel of {}: a task can need a way from {} to {}, and there is none",
                     in_quotes(worker), in_quotes(start), missing),
-        measured ? fmt::format("write {}: {{TO: ticks}} for each of them", start)
-                 : "make an aisle wider, 'radius_m' smaller, or 'cell_m' finer");
+        fmt::format("write {}: {{TO: ticks}} for each of them", start));
   }
 }
 
@@ -168,11 +217,17 @@ void check_kinds(BuildState& state, const SourceNode& travel) {
 
 /// Zones ask for new ways at run time, which only a map has.
 void check_zones(const BuildState& state) {
-  if (state.line().zones.empty() || state.line().ways != nullptr) return;
-  state.problems.error(
-      mark_of(state.root, "zones"),
-      "zones: this line has no map ways, and ways through a zone can only be planned anew on a map",
-      "write travel: {KIND: hybrid_a_star}, or remove 'zones'");
+  if (state.line().zones.empty()) return;
+  for (std::size_t kind = 0; kind < state.scenario.routes.size(); ++kind) {
+    if (state.scenario.routes[kind]) continue;
+    const std::string& name = state.line().worker_kinds[kind].name;
+    state.problems.error(
+        mark_of(state.root, "zones"),
+        fmt::format("zones: the ways of {} do not come from a map, and ways through "
+                    "a zone can only be planned anew on a map",
+                    in_quotes(name)),
+        fmt::format("write travel: {{{}: hybrid_a_star}}, or remove 'zones'", name));
+  }
 }
 
 }  // namespace
@@ -196,7 +251,10 @@ void build_travel(BuildState& state) {
   if (travel != nullptr) check_kinds(state, *travel);
   const std::size_t kinds = state.line().worker_kinds.size();
   state.line().travel.assign(kinds, TravelTable(state.line().stations.size()));
-  for (std::size_t kind = 0; kind < kinds; ++kind) fill_kind(state, kind, travel);
+  state.scenario.routes.resize(kinds);
+  std::vector<RoutedKind> routed;
+  for (std::size_t kind = 0; kind < kinds; ++kind) fill_kind(state, kind, travel, routed);
+  fill_from_routes(state, routed);
   if (!state.problems.none()) return;  // a way may be missing because of what was reported
   for (std::size_t kind = 0; kind < kinds; ++kind) check_ways(state, kind, travel);
   check_zones(state);

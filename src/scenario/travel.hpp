@@ -2,6 +2,8 @@
 
 #include <cstddef>
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "build_state.hpp"
 
@@ -11,8 +13,15 @@ namespace linewright::loading {
 [[nodiscard]] std::optional<Tick> ticks_for(BuildState& state, std::size_t kind, double metres,
                                             SourceMark mark);
 
-/// The shortest ways on the map's grid; reports stations that stand in an obstacle and needed ways
-/// that do not exist.
-void fill_from_grid(BuildState& state, std::size_t kind, SourceMark mark);
+/// A kind of worker whose routes are planned on the map.
+struct RoutedKind {
+  std::size_t kind = 0;
+  std::string planner;  ///< one of path_planner_names()
+  SourceMark mark;      ///< where that was said
+};
+
+/// Plans the routes of these kinds, or takes them from the cache: fills their travel tables,
+/// Scenario::routes and LineModel::ways. Reports stations where a worker cannot stand.
+void fill_from_routes(BuildState& state, const std::vector<RoutedKind>& kinds);
 
 }  // namespace linewright::loading

@@ -15,7 +15,7 @@
 #include <string>
 #include <utility>
 
-#include "utf8.hpp"
+#include "linewright/base/utf8.hpp"
 
 namespace linewright::loading {
 namespace {

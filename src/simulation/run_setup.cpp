@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <numeric>
 #include <utility>
 
 #include "linewright/base/diagnostic.hpp"
@@ -41,21 +42,36 @@ void refuse_too_many(const std::vector<std::vector<StationId>>& start, const cha
                       fmt::format("at most {} are possible", kMost));
 }
 
-/// Draws `count` of the stations without replacement, in order of drawing.
-std::vector<StationId> draw(std::vector<StationId> stations, std::int32_t count,
+/// By station: how many workers of the kind may start there.
+std::vector<std::size_t> start_slots(const LineModel& line, WorkerKindId kind) {
+  std::vector<std::size_t> slots;
+  for (const Station& station : line.stations) {
+    const std::int32_t many = station.poses[kind.index()] ? station.slots[kind.index()] : 0;
+    slots.push_back(static_cast<std::size_t>(many));
+  }
+  return slots;
+}
+
+/// Draws `count` of the slots without replacement, each as likely; their stations in order of
+/// drawing.
+std::vector<StationId> draw(std::vector<std::size_t> slots, std::int32_t count,
                             RandomStream stream) {
+  std::size_t left = std::accumulate(slots.begin(), slots.end(), std::size_t{0});
   std::vector<StationId> drawn;
-  for (std::int32_t i = 0; i < count && !stations.empty(); ++i) {
-    const std::size_t pick = stream.below(stations.size());
-    drawn.push_back(stations[pick]);
-    stations.erase(stations.begin() + static_cast<std::ptrdiff_t>(pick));
+  for (std::int32_t i = 0; i < count && left > 0; ++i, --left) {
+    std::size_t pick = stream.below(left);
+    std::size_t station = 0;
+    while (pick >= slots[station]) pick -= slots[station++];
+    --slots[station];
+    drawn.emplace_back(station);
   }
   return drawn;
 }
 
-std::vector<StationId> place(const std::vector<StationId>& fixed, std::int32_t count,
-                             const std::vector<StationId>& stations, RandomStream stream) {
-  if (fixed.empty()) return draw(stations, count, stream);
+std::vector<StationId> place(const LineModel& line, WorkerKindId kind,
+                             const std::vector<StationId>& fixed, std::int32_t count,
+                             RandomStream stream) {
+  if (fixed.empty()) return draw(start_slots(line, kind), count, stream);
   return {fixed.begin(), fixed.begin() + count};
 }
 
@@ -102,16 +118,6 @@ std::vector<Closure> all_closures(const LineModel& line, std::vector<Closure> mo
   return joined_closures(std::move(more));
 }
 
-std::vector<StationId> start_stations(const LineModel& line, WorkerKindId kind) {
-  std::vector<StationId> stations;
-  for (std::size_t s = 0; s < line.stations.size(); ++s) {
-    if (!line.stations[s].poses[kind.index()]) continue;
-    for (std::int32_t i = 0; i < line.stations[s].slots[kind.index()]; ++i)
-      stations.emplace_back(s);
-  }
-  return stations;
-}
-
 void check_setup(const LineModel& line, const RunSetup& setup) {
   if (setup.order < 1 || setup.order > kMostProducts) {
     throw ScenarioError({}, fmt::format("an order of {} is not possible", setup.order),
@@ -142,9 +148,9 @@ RunSetup sample_setup(const LineModel& line, const RunOptions& options, std::uin
   setup.order = options.order.value_or(line.order.quantity);
   setup.horizon = options.horizon.value_or(line.horizon.ticks(setup.order));
   for (std::size_t k = 0; k < line.worker_kinds.size(); ++k) {
-    setup.worker_start.push_back(place(
-        line.worker_kinds[k].start, crew_size(line, options, k, seed),
-        start_stations(line, WorkerKindId(k)), RandomStream::derive(seed, "worker_start", k)));
+    setup.worker_start.push_back(place(line, WorkerKindId(k), line.worker_kinds[k].start,
+                                       crew_size(line, options, k, seed),
+                                       RandomStream::derive(seed, "worker_start", k)));
   }
   for (std::size_t k = 0; k < line.carrier_kinds.size(); ++k) {
     const CarrierKind& carrier = line.carrier_kinds[k];
@@ -153,8 +159,7 @@ RunSetup sample_setup(const LineModel& line, const RunOptions& options, std::uin
             ? static_cast<std::int32_t>(setup.worker_start[carrier.count_as->index()].size())
             : RandomStream::derive(seed, "carriers", k)
                   .between(carrier.count.min, carrier.count.max);
-    setup.carrier_start.push_back(place(carrier.start, count,
-                                        start_stations(line, carrier.moved_by),
+    setup.carrier_start.push_back(place(line, carrier.moved_by, carrier.start, count,
                                         RandomStream::derive(seed, "carrier_start", k)));
   }
   check_closures(line, options.closures);

@@ -30,13 +30,17 @@ class Allocator {
 
 /// Names that make_allocator knows:
 /// - `sap`: the nearest by route, from where each one really is; carriers together with who fetches
-/// them
-///   (the paper's SAP, Algorithm 2)
+///   them (the paper's SAP, Algorithm 2)
 /// - `no_spatial`: uniformly at random (the paper's NoSpatial)
 /// - `longest_path`: the farthest by route (the paper's LongestPath)
 /// - `first_idle`: the first free worker and the first free carrier by number; who fetches a
-/// carrier is
-///   the one nearest to it in a straight line (what the paper's published runs did)
+///   carrier is the one nearest to it in a straight line (what the paper's published runs did)
+/// - `sap_snapped`: as `sap`, but each worker counts as standing at the station (with a pose for
+///   its kind) that is nearest to it in a straight line (the paper's Sec. 3.4); differs from `sap`
+///   only for workers who are free while under way
+/// Equally good ones: the first carrier by number, then the first worker. One for whom no way is
+/// known comes last. A decision takes time in proportion to the workers and carriers, plus that for
+/// one way from every station where free ones stand to every station where such carriers stand.
 [[nodiscard]] const std::vector<std::string>& allocator_names();
 
 /// Throws ScenarioError for a name that is not among allocator_names(). The simulator must outlive

@@ -45,4 +45,7 @@ class ScenarioError : public std::runtime_error {
 [[nodiscard]] std::string name_hint(std::string_view name,
                                     const std::vector<std::string>& candidates);
 
+/// `text` in single quotes, control characters escaped, long text cut: safe to put into a message.
+[[nodiscard]] std::string in_quotes(std::string_view text);
+
 }  // namespace linewright

@@ -79,7 +79,8 @@ struct LogRectangle {
 
 struct LogObstacle {
   std::string name;
-  LogRectangle rectangle;
+  std::vector<Point2> polygon;  ///< three corners at least
+  double height_m = 1.0;
 };
 
 struct LogHall {

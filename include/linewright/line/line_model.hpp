@@ -48,8 +48,8 @@ struct LineModel {
   std::vector<WorkerKind> worker_kinds;
   std::vector<CarrierKind> carrier_kinds;
   std::vector<Station> stations;
-  std::vector<TravelTable> travel;  ///< by worker kind, all zones open
-  std::vector<Zone> zones;          ///< at most kMostZones; any: `ways` is there
+  std::vector<TravelTable> travel;        ///< by worker kind, all zones open
+  std::vector<Zone> zones;                ///< at most kMostZones; any: `ways` is there
   std::shared_ptr<const WayFinder> ways;  ///< none: the ways are measured, or straight lines
   std::vector<Place> places;
   std::vector<Machine> machines;

@@ -24,11 +24,11 @@ struct WorkerKind {
   double radius_m = 0.3;            ///< of the circle around it
   std::vector<double> footprint_m;  ///< {length, width}, or empty: a circle of radius_m
   double turning_radius_m = 0.0;
-  double turn_rate_radps = 0.0;       ///< turning on the spot; 0: takes no time
-  double acceleration_mps2 = 0.0;     ///< from and to standstill; 0: full speed at once
-  Tick min_leg_ticks = 0;        ///< a `go` takes at least this long, also to where it stands
-  std::vector<StationId> start;  ///< worker i starts at start[i]; empty: drawn among the stations
-                                 ///< of this kind without replacement (Station::slots each)
+  double turn_rate_radps = 0.0;    ///< turning on the spot; 0: takes no time
+  double acceleration_mps2 = 0.0;  ///< from and to standstill; 0: full speed at once
+  Tick min_leg_ticks = 0;          ///< a `go` takes at least this long, also to where it stands
+  std::vector<StationId> start;    ///< worker i starts at start[i]; empty: drawn among the stations
+                                   ///< of this kind without replacement (Station::slots each)
   /// Where a worker without a task goes (the nearest of these, ties: the first one), so that the
   /// next task finds it well placed; it stays free on the way. Empty: it stays where it is.
   std::vector<StationId> rest;

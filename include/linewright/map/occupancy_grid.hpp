@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include "linewright/base/geometry.hpp"
@@ -45,12 +46,19 @@ struct GridFrame {
            static_cast<std::size_t>(cell.column);
   }
   [[nodiscard]] Cell cell(std::size_t index) const;
-  /// The cell around a point of the frame `map`, which may lie outside of the grid (then so does the
-  /// cell). The coordinates must be finite.
+  /// The cell around a point of the frame `map`, which may lie outside of the grid (then so does
+  /// the cell). The coordinates must be finite.
   [[nodiscard]] Cell cell_at(Point2 in_map) const;
   /// The middle of the cell, in the frame `map`.
   [[nodiscard]] Point2 center(Cell cell) const;
 };
+
+/// What a grid may have at most: 4000 x 4000 cells, 400 m x 400 m at 0.1 m. A grid takes one byte
+/// per cell, the search for routes on it several times as much.
+inline constexpr std::int64_t kMostGridCells = 16'000'000;
+
+/// "400000000 cells, more than 16000000; ..." with the memory they would take. For messages.
+[[nodiscard]] std::string too_many_cells(double cells);
 
 enum class CellState : std::uint8_t { kFree, kOccupied, kUnknown };
 

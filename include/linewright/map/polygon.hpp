@@ -38,6 +38,14 @@ using Polygon = std::vector<Point2>;
 /// Distance from the point to the polygon's area; 0 inside of it.
 [[nodiscard]] double distance_to_m(Point2 point, const Polygon& polygon);
 
+/// The smallest convex polygon around the points (three at least, not all in a line),
+/// counter-clockwise, without corners on straight sides.
+[[nodiscard]] Polygon convex_hull(Polygon points);
+
+/// A counter-clockwise convex polygon with all sides moved out by `margin_m`; the corners stay
+/// corners.
+[[nodiscard]] Polygon grown(const Polygon& convex, double margin_m);
+
 /// The smallest axis-parallel rectangle around the points, of which there must be one at least.
 [[nodiscard]] Rectangle bounds_of(const Polygon& polygon);
 

@@ -56,7 +56,4 @@ struct RunSetup {
 /// is one that no run of the line can have.
 void check_setup(const LineModel& line, const RunSetup& setup);
 
-/// Names of the stations where workers of the kind may start, each as often as it has slots.
-[[nodiscard]] std::vector<StationId> start_stations(const LineModel& line, WorkerKindId kind);
-
 }  // namespace linewright
