@@ -22,7 +22,7 @@ struct Recorded {
 /// By worker kind.
 std::map<std::string, std::vector<Recorded>> recorded_ways(const Scenario& scenario) {
   std::map<std::string, std::vector<Recorded>> ways;
-  std::ifstream file(LINEWRIGHT_SOURCE_DIR "/tests/data/recorded/travel_pairs.txt");
+  std::ifstream file(LINEWRIGHT_SOURCE_DIR "/tests/data/recorded_travel.txt");
   std::string line;
   while (std::getline(file, line)) {
     if (line.empty() || line[0] == '#') continue;
