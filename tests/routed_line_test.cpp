@@ -7,8 +7,12 @@
 #include <map>
 #include <sstream>
 
+#include "linewright/allocation/allocator.hpp"
+#include "linewright/evaluation/event_log_writer.hpp"
+#include "linewright/planning/episode.hpp"
+#include "linewright/planning/planner.hpp"
 #include "linewright/scenario/load.hpp"
-#include "support.hpp"
+#include "linewright/simulation/simulator.hpp"
 
 namespace linewright {
 namespace {
@@ -76,6 +80,47 @@ TEST(DuctLineRouted, NoOtherSpeedMeetsTheRecordedTravelTimesBetter) {
           << kind.name << " " << speed;
     }
   }
+}
+
+/// The duct line with two people and two robots, and the walkway closed from tick 70 on.
+EventLog run_with_closed_walkway(const Scenario& scenario, Tick ticks) {
+  const Simulator simulator(std::make_shared<const LineModel>(scenario.line));
+  const auto planner = PlannerRegistry::make("first", simulator);
+  const auto allocator = make_allocator("sap", simulator);
+  RunOptions options;
+  options.workers = {2, 2};
+  if (ticks > 0) options.closures = {{0, 70, 70 + ticks}};
+  SimulationState state;
+  EventLog log;
+  run_episode(simulator, state, sample_setup(simulator.line(), options, 1), 1, *planner, *allocator,
+              &log);
+  EXPECT_EQ(state.status, RunStatus::kFinished);
+  return log;
+}
+
+TEST(DuctLineRouted, AZoneThatClosesInTheMiddleOfARunSendsWorkersAroundIt) {
+  const Scenario scenario = load_scenario(LINEWRIGHT_SOURCE_DIR "/scenarios/duct_line_routed.yaml");
+  ASSERT_EQ(scenario.line.zones[0].name, "walkway");
+  const std::string open = event_log_text(scenario, run_with_closed_walkway(scenario, 0), 1.0);
+  EXPECT_EQ(open.find("reroute"), std::string::npos);
+  const EventLog log = run_with_closed_walkway(scenario, 200);
+  int rerouted = 0;
+  for (const LogEvent& event : log.events) {
+    if (event.type != LogEvent::Type::kReroute || event.tick >= 270) continue;
+    ++rerouted;
+    const WorkerKindId kind(event.a < 2 ? 0 : 1);
+    const auto path = course_path(scenario.line, event.course, {kind, {}, StationId(event.d), 1});
+    ASSERT_FALSE(path.empty());
+    EXPECT_FALSE(scenario.line.ways->crosses(kind, path, 0.0, 0));
+  }
+  EXPECT_GE(rerouted, 1);
+  const std::string text = event_log_text(scenario, log, 1.0);
+  EXPECT_NE(text.find(R"({"t":70,"event":"zone","zone":"walkway","closed":true})"),
+            std::string::npos);
+  EXPECT_NE(text.find(R"({"t":270,"event":"zone","zone":"walkway","closed":false})"),
+            std::string::npos);
+  EXPECT_NE(text.find(R"("event":"reroute")"), std::string::npos);
+  EXPECT_EQ(text, event_log_text(scenario, run_with_closed_walkway(scenario, 200), 1.0));
 }
 
 }  // namespace
