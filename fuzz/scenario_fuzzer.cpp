@@ -31,7 +31,10 @@ void run(const linewright::Scenario& scenario) {
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::string_view text(reinterpret_cast<const char*>(data), size);
   try {
-    run(linewright::load_scenario_text(text, "fuzz.yaml"));
+    linewright::LoadOptions options;
+    options.threads = 1;
+    options.most_route_work = 500'000;  // some milliseconds
+    run(linewright::load_scenario_text(text, "fuzz.yaml", options));
   } catch (const linewright::ScenarioError&) {
   }
   return 0;

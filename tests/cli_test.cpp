@@ -98,7 +98,7 @@ TEST(Cli, MapTellsTheFactsAndWritesWhatItTells) {
 TEST(Cli, RoutesTellsEveryPairAndDrawsThem) {
   const std::string svg = temporary("routes.svg");
   const Output output =
-      linewright("routes tests/data/duct_line_on_grid.yaml --no-cache --json --svg " + svg);
+      linewright("routes scenarios/duct_line_routed.yaml --no-cache --json --svg " + svg);
   ASSERT_EQ(output.code, 0) << output.err;
   const Json json = Json::parse(output.out);
   EXPECT_EQ(json["pairs"], 180);
@@ -133,7 +133,7 @@ TEST(Cli, RoutesKeepsThemBesideTheScenarioUnlessTold) {
 TEST(Cli, RoutesDrawsAPanelForEachStartAndKindAsked) {
   const std::string svg = temporary("starts.svg");
   const Output output = linewright(
-      "routes tests/data/duct_line_on_grid.yaml --no-cache --kind robot --start outfeed "
+      "routes scenarios/duct_line_routed.yaml --no-cache --kind robot --start outfeed "
       "--start storage --svg " +
       svg);
   ASSERT_EQ(output.code, 0) << output.err;
@@ -311,6 +311,9 @@ INSTANTIATE_TEST_SUITE_P(
         Wrong{"simulate scenarios/duct_line.yaml --crew forklift=1",
               "no workers called 'forklift'"},
         Wrong{"simulate scenarios/duct_line.yaml --order 0", "order of 0"},
+        Wrong{"simulate scenarios/duct_line.yaml --close ramp@10+5", "has no zone 'ramp'"},
+        Wrong{"evaluate scenarios/duct_line.yaml --close ramp@10", "is no ZONE@TICK+TICKS"},
+        Wrong{"simulate scenarios/duct_line.yaml --close ramp@0+5", "is no ZONE@TICK+TICKS"},
         Wrong{"simulate scenarios/duct_line.yaml --horizon -5", "horizon"},
         Wrong{"simulate scenarios/duct_line.yaml --planner replay", "--decisions FILE"},
         Wrong{"simulate scenarios/duct_line.yaml --decisions x.json", "--planner replay"},
@@ -350,13 +353,13 @@ INSTANTIATE_TEST_SUITE_P(
         Wrong{"routes scenarios/duct_line.yaml",
               "write travel: {human: hybrid_a_star, robot: hybrid_a_star}"},
         Wrong{"routes scenarios/teaching/one_human_one_robot.yaml", "give it a map"},
-        Wrong{"routes tests/data/duct_line_on_grid.yaml --no-cache --kind robt",
+        Wrong{"routes scenarios/duct_line_routed.yaml --no-cache --kind robt",
               "did you mean 'robot'?"},
-        Wrong{"routes tests/data/duct_line_on_grid.yaml --no-cache --svg out/x.svg --start "
+        Wrong{"routes scenarios/duct_line_routed.yaml --no-cache --svg out/x.svg --start "
               "flange_rak",
               "did you mean 'flange_rack'?"},
-        Wrong{"routes tests/data/duct_line_on_grid.yaml --start storage", "add --svg FILE.svg"},
-        Wrong{"routes tests/data/duct_line_on_grid.yaml --svg out/x.png", "ends in .svg"},
+        Wrong{"routes scenarios/duct_line_routed.yaml --start storage", "add --svg FILE.svg"},
+        Wrong{"routes scenarios/duct_line_routed.yaml --svg out/x.png", "ends in .svg"},
         Wrong{"simualte", "did you mean 'simulate'?"}));
 
 }  // namespace

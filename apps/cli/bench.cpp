@@ -11,7 +11,6 @@
 #include "linewright/base/random.hpp"
 #include "linewright/evaluation/event_log_writer.hpp"
 #include "linewright/planning/episode.hpp"
-#include "linewright/scenario/load.hpp"
 
 namespace linewright::cli {
 namespace {
@@ -133,7 +132,7 @@ std::string fingerprint(const Scenario& scenario, const Simulator& simulator,
 }
 
 int bench(const BenchArguments& arguments) {
-  const Scenario scenario = load_scenario(arguments.run.scenario);
+  const Scenario scenario = load(arguments.run.scenario);
   const Simulator simulator(std::make_shared<const LineModel>(scenario.line));
   Speed speed;
   measure_episodes(simulator, arguments, speed);

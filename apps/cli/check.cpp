@@ -6,7 +6,6 @@
 #include "common.hpp"
 #include "linewright/base/diagnostic.hpp"
 #include "linewright/planning/dead_states.hpp"
-#include "linewright/scenario/load.hpp"
 
 namespace linewright::cli {
 namespace {
@@ -101,7 +100,7 @@ std::string dead_state_text(const LineModel& line, const DeadState& dead, std::i
 /// always.
 Scenario load_reporting(const CheckArguments& arguments) {
   try {
-    return load_scenario(arguments.run.scenario);
+    return load(arguments.run.scenario);
   } catch (const ScenarioError& error) {
     if (arguments.run.json) {
       Json object{{"valid", false}, {"diagnostics", Json::array()}};

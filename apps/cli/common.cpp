@@ -8,11 +8,13 @@
 #include <charconv>
 #include <chrono>
 #include <cstdio>
+#include <mutex>
 #include <utility>
 
 #include "linewright/allocation/allocator.hpp"
 #include "linewright/base/diagnostic.hpp"
 #include "linewright/planning/planner.hpp"
+#include "linewright/scenario/load.hpp"
 
 namespace linewright::cli {
 namespace {
@@ -175,6 +177,21 @@ RunOptions one_crew(const RunArguments& arguments, const LineModel& line) {
                         "give one number per kind of worker; evaluate and check take ranges");
   }
   return crews.at(0);
+}
+
+Scenario load(const std::string& file, bool route_cache) {
+  ProgressBar bar("routes");
+  std::mutex mutex;  // routes are planned by several threads
+  LoadOptions options;
+  options.route_cache = route_cache;
+  options.cancel = &interrupted();
+  options.progress = [&](std::size_t done, std::size_t total) {
+    const std::scoped_lock lock(mutex);
+    bar.update(done, total);
+  };
+  Scenario scenario = load_scenario(file, options);
+  for (const Diagnostic& warning : scenario.warnings) report(to_string(warning));
+  return scenario;
 }
 
 std::string crew_name(const LineModel& line, const std::vector<std::int32_t>& counts) {

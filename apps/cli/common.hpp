@@ -63,6 +63,10 @@ void add_close_option(CLI::App& app, RunArguments& arguments);
 /// when they name several.
 [[nodiscard]] RunOptions one_crew(const RunArguments& arguments, const LineModel& line);
 
+/// Loads a scenario for a command: shows progress while routes are planned, stops at Ctrl-C, and
+/// prints what is odd about the scenario.
+[[nodiscard]] Scenario load(const std::string& file, bool route_cache = true);
+
 /// "H2R2"-like name of a crew: initials and counts.
 [[nodiscard]] std::string crew_name(const LineModel& line, const std::vector<std::int32_t>& counts);
 

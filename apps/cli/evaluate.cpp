@@ -9,7 +9,6 @@
 #include "linewright/allocation/allocator.hpp"
 #include "linewright/base/diagnostic.hpp"
 #include "linewright/base/files.hpp"
-#include "linewright/scenario/load.hpp"
 
 namespace linewright::cli {
 namespace {
@@ -126,7 +125,7 @@ void show_allocators(const EvaluateArguments& arguments, const LineModel& line,
 
 int evaluate(const EvaluateArguments& arguments) {
   const std::vector<Configuration> configurations = configurations_of(arguments);
-  const Scenario scenario = load_scenario(arguments.run.scenario);
+  const Scenario scenario = load(arguments.run.scenario);
   const LineModel& line = scenario.line;
   const TrialPlan plan{.crews = crews_of(arguments.run, line, true),
                        .trials = arguments.trials,

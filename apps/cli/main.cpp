@@ -100,7 +100,7 @@ int main(int argc, char** argv) {
     return cli::kBadInput;
   } catch (const ScenarioError& error) {
     cli::report(error.what());
-    return cli::kBadInput;
+    return cli::interrupted().requested() ? cli::kInterrupted : cli::kBadInput;
   } catch (const std::exception& error) {
     cli::report(fmt::format("internal error: {}\nThis is a defect of linewright; please report it.",
                             error.what()));

@@ -9,7 +9,6 @@
 #include "linewright/base/diagnostic.hpp"
 #include "linewright/base/files.hpp"
 #include "linewright/map/map_file.hpp"
-#include "linewright/scenario/load.hpp"
 
 namespace linewright::cli {
 namespace {
@@ -125,9 +124,9 @@ std::string lists_text(const HallMap& map, const std::vector<Stop>& stops) {
 }
 
 /// A map file instead of a scenario would give a page of missing keys.
-Scenario load(const std::string& file) {
+Scenario load_with_map(const std::string& file) {
   try {
-    return load_scenario(file);
+    return load(file);
   } catch (const ScenarioError&) {
     constexpr std::size_t kMostBytes = std::size_t{1} << 20;
     std::string ignored;
@@ -139,7 +138,7 @@ Scenario load(const std::string& file) {
 }
 
 int show(const MapArguments& arguments) {
-  const Scenario scenario = load(arguments.scenario);
+  const Scenario scenario = load_with_map(arguments.scenario);
   if (!scenario.map) {
     throw ScenarioError(arguments.scenario, "the scenario has no map",
                         "write map: {bounds: [x0, x1, y0, y1]}, or map: {occupancy: FILE.yaml}");

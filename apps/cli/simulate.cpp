@@ -14,7 +14,6 @@
 #include "linewright/planning/episode.hpp"
 #include "linewright/planning/planner.hpp"
 #include "linewright/planning/replay.hpp"
-#include "linewright/scenario/load.hpp"
 
 namespace linewright::cli {
 namespace {
@@ -259,7 +258,7 @@ int simulate(const SimulateArguments& arguments) {
   if (!arguments.log.empty() && arguments.log == arguments.gantt) {
     throw ScenarioError(arguments.log, "is named for the log and for the chart", "name two files");
   }
-  const Scenario scenario = load_scenario(arguments.run.scenario);
+  const Scenario scenario = load(arguments.run.scenario);
   const Simulator simulator(std::make_shared<const LineModel>(scenario.line));
   const bool recorded = arguments.run.configuration.planner == "replay";
   if (!recorded && !arguments.decisions.empty()) {

@@ -138,10 +138,10 @@ class RuleAllocator final : public Allocator {
                       const std::vector<Start>& starts, const std::vector<Spot>& spots) {
     onward_.assign(spots.size(), Leg{0, 0.0});
     if (starts.empty() || !errand.goal) return;
-    const std::size_t kind = kind_of(state, starts.front());
+    const TravelTable& travel =
+        simulator_.travel(state, WorkerKindId(kind_of(state, starts.front())));
     for (std::size_t s = 0; s < spots.size(); ++s) {
-      onward_[s] = simulator_.line().travel[kind].leg(StationId(std::int32_t{spots[s].station}),
-                                                      *errand.goal);
+      onward_[s] = travel.leg(StationId(std::int32_t{spots[s].station}), *errand.goal);
     }
   }
 
@@ -159,8 +159,8 @@ class RuleAllocator final : public Allocator {
   [[nodiscard]] Leg way(const SimulationState& state, const Start& start, StationId to) const {
     const WorkerId worker(std::int32_t{start.worker});
     if (standpoint_ == Standpoint::kReal) return simulator_.route_from_worker(state, worker, to);
-    return simulator_.line().travel[kind_of(state, start)].leg(
-        StationId(std::int32_t{start.station}), to);
+    return simulator_.travel(state, WorkerKindId(kind_of(state, start)))
+        .leg(StationId(std::int32_t{start.station}), to);
   }
 
   [[nodiscard]] double straight_m(std::size_t kind, const Start& start, StationId to) const {

@@ -37,34 +37,16 @@ void FreeMembers::each_worker(const SimulationState& state, const Assignment& so
   }
 }
 
-std::int16_t FreeMembers::snapped_station(const SimulationState& state, std::size_t worker) const {
-  const WorkerState& who = state.workers[worker];
-  if (who.arrive <= state.now) return who.station;
-  const Point2 here = simulator_.worker_pose(state, WorkerId(worker), state.now).point();
-  const auto& stations = simulator_.line().stations;
-  std::int16_t nearest = who.station;
-  double shortest_m = std::numeric_limits<double>::infinity();
-  for (std::size_t s = 0; s < stations.size(); ++s) {
-    const auto& pose = stations[s].poses[at(who.kind)];
-    if (!pose) continue;
-    const double way_m = distance_m(here, pose->point());
-    if (way_m >= shortest_m) continue;
-    shortest_m = way_m;
-    nearest = static_cast<std::int16_t>(s);
-  }
-  return nearest;
-}
-
 const std::vector<Start>& FreeMembers::starts(const SimulationState& state,
                                               const Assignment& so_far, std::size_t slot,
                                               Standpoint standpoint) {
   start_over(starts_, state.workers.size());
   seen_.assign(simulator_.line().stations.size(), 0);
   each_worker(state, so_far, slot, [&](std::size_t w) {
-    const WorkerState& worker = state.workers[w];
-    const bool single = standpoint == Standpoint::kReal && worker.arrive > state.now;
-    const std::int16_t station =
-        standpoint == Standpoint::kSnapped ? snapped_station(state, w) : worker.station;
+    const bool snapped = standpoint == Standpoint::kSnapped;
+    const bool single = !snapped && !simulator_.stands_at_station(state, WorkerId(w));
+    const auto station = static_cast<std::int16_t>(
+        snapped ? simulator_.snapped_station(state, WorkerId(w)).value : state.workers[w].station);
     if (!single && seen_[at(station)] != 0) return;
     if (!single) seen_[at(station)] = 1;
     starts_.push_back({static_cast<std::int16_t>(w), station});

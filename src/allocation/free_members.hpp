@@ -57,8 +57,6 @@ class FreeMembers {
                                            std::size_t slot) const;
 
  private:
-  [[nodiscard]] std::int16_t snapped_station(const SimulationState& state,
-                                             std::size_t worker) const;
   template <class Visit>
   void each_worker(const SimulationState& state, const Assignment& so_far, std::size_t slot,
                    Visit&& visit) const;

@@ -40,7 +40,7 @@ TEST(PoseOn, GoesAlongThePathAndTurnsTheShortWay) {
       {{0, 0, 0}, 0.0}, {{4, 0, 0}, 0.5}, {{4, 0, -0.75 * kPi}, 0.6}, {{4, 0, 0.75 * kPi}, 1.0}};
   EXPECT_DOUBLE_EQ(pose_on(path, -1.0).x_m, 0.0);
   EXPECT_DOUBLE_EQ(pose_on(path, 0.25).x_m, 2.0);
-  EXPECT_DOUBLE_EQ(pose_on(path, 0.55).heading_rad, -0.375 * kPi);
+  EXPECT_NEAR(pose_on(path, 0.55).heading_rad, -0.375 * kPi, 1e-12);
   EXPECT_NEAR(std::cos(pose_on(path, 0.8).heading_rad), -1.0, 1e-12);
   EXPECT_DOUBLE_EQ(pose_on(path, 2.0).heading_rad, 0.75 * kPi);
 }

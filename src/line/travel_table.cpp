@@ -19,8 +19,9 @@ void TravelTable::set_path(StationId from, StationId to, std::vector<WayPoint> p
 }
 
 Pose2 pose_on(const std::vector<WayPoint>& path, double share) {
-  const auto next = std::upper_bound(path.begin(), path.end(), share,
-                                     [](double s, const WayPoint& point) { return s < point.share; });
+  const auto next =
+      std::upper_bound(path.begin(), path.end(), share,
+                       [](double s, const WayPoint& point) { return s < point.share; });
   if (next == path.begin()) return path.front().pose;
   if (next == path.end()) return path.back().pose;
   const WayPoint& a = *std::prev(next);

@@ -1,6 +1,7 @@
 #include "linewright/planning/state_key.hpp"
 
 #include <algorithm>
+#include <bit>
 
 namespace linewright {
 namespace {
@@ -18,6 +19,31 @@ Tick homing_memory(const Machine& machine) {
   return machine.homing->holds + *std::max_element(takes.begin(), takes.end()) + 1;
 }
 
+/// Whether more than the tick of its arrival can matter of where the worker is: a free one can be
+/// called from there, and zones can change any way.
+bool way_matters(const LineModel& line, const WorkerState& worker, Tick now) {
+  if (worker.no_way) return true;
+  return worker.arrive > now && (worker.free() || !line.zones.empty());
+}
+
+void put_way(const WorkerState& worker, Tick now, std::vector<std::int32_t>& key) {
+  const Course& course = worker.course;
+  key.push_back((worker.no_way ? 1 : 0) | (course.from_pose ? 2 : 0));
+  key.push_back(worker.from);
+  key.push_back(worker.depart - now);
+  key.push_back(worker.arrive - now);
+  key.push_back(static_cast<std::int32_t>(course.planned_with));
+  key.push_back(course.turn_from);
+  key.push_back(course.turn_to);
+  key.push_back(course.turn_ticks);
+  for (const double number :
+       {course.origin.x_m, course.origin.y_m, course.origin.heading_rad, course.turn_share}) {
+    const auto bits = std::bit_cast<std::uint64_t>(number);
+    key.push_back(static_cast<std::int32_t>(bits));
+    key.push_back(static_cast<std::int32_t>(bits >> 32));
+  }
+}
+
 }  // namespace
 
 StateKey state_key(const Simulator& simulator, const SimulationState& state,
@@ -31,6 +57,7 @@ StateKey state_key(const Simulator& simulator, const SimulationState& state,
     put(std::min(state.now - state.machines[m].rest_since, homing_memory(line.machines[m])));
   }
   // Executions in order of their serials, which is all that their serials are used for.
+  if (!line.zones.empty()) put(static_cast<std::int32_t>(state.closed));
   std::vector<std::int16_t> order(state.executions.size(), -1);
   std::vector<std::size_t> running;
   for (std::size_t e = 0; e < state.executions.size(); ++e) {
@@ -54,6 +81,7 @@ StateKey state_key(const Simulator& simulator, const SimulationState& state,
   }
   for (const WorkerState& worker : state.workers) {
     put(worker.station);
+    if (way_matters(line, worker, state.now)) put_way(worker, state.now, key);
     put(worker.free() ? -1 : order[static_cast<std::size_t>(worker.execution)]);
     put(worker.carrier);
     if (worker.free()) continue;

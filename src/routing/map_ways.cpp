@@ -87,9 +87,7 @@ class MapWays::Impl {
 
   const Way& way(std::size_t kind, const Pose2& from, StationId to, ZoneSet closed) {
     if (!data_.kinds[kind]) closed = 0;
-    for (std::size_t zone = 0; zone < data_.zones.size(); ++zone) {
-      if (is_closed(closed, zone) && inside(kind, from, zone)) closed &= ~(ZoneSet{1} << zone);
-    }
+    closed = closed_around(kind, from, closed);
     const std::scoped_lock lock(mutex_);
     const auto [found, is_new] = ways_.try_emplace({kind, bits_of(from), to.value, closed});
     if (is_new) {
@@ -118,6 +116,22 @@ class MapWays::Impl {
   }
 
  private:
+  /// The closed zones without those that a worker at this pose stands in: it may leave them.
+  [[nodiscard]] ZoneSet closed_around(std::size_t kind, const Pose2& pose, ZoneSet closed) const {
+    for (std::size_t zone = 0; zone < data_.zones.size(); ++zone) {
+      if (is_closed(closed, zone) && inside(kind, pose, zone)) closed &= ~(ZoneSet{1} << zone);
+    }
+    return closed;
+  }
+
+  [[nodiscard]] bool crosses_any(std::size_t kind, const std::vector<WayPoint>& path,
+                                 ZoneSet closed) const {
+    for (std::size_t zone = 0; zone < data_.zones.size(); ++zone) {
+      if (is_closed(closed, zone) && crosses(kind, path, 0.0, zone)) return true;
+    }
+    return false;
+  }
+
   /// Looks every 5 cm and 0.1 rad.
   [[nodiscard]] bool crosses_piece(std::size_t kind, const Pose2& from, const Pose2& to,
                                    std::size_t zone) const {
@@ -160,20 +174,17 @@ class MapWays::Impl {
   TravelTable planned_anew(std::size_t kind, ZoneSet closed) {
     const KindRoutes& routes = *data_.kinds[kind];
     TravelTable table = data_.base[kind];
-    const auto affected = [&](StationId from, StationId to) {
-      for (std::size_t zone = 0; zone < data_.zones.size(); ++zone) {
-        if (is_closed(closed, zone) && crosses(kind, table.path(from, to), 0.0, zone)) return true;
-      }
-      return false;
-    };
     // Goal by goal, so that all starts of one share its heuristic.
     for (std::size_t to = 0; to < routes.stations.size(); ++to) {
       for (std::size_t from = 0; from < routes.stations.size(); ++from) {
         const StationId a = routes.stations[from];
         const StationId b = routes.stations[to];
-        if (from == to || table.leg(a, b).ticks < 0 || !affected(a, b)) continue;
-        const Path path = planner_of(kind, closed, false)
-                              .plan(routes.request.stops[from].pose, routes.request.stops[to].pose);
+        const Pose2& start = routes.request.stops[from].pose;
+        const ZoneSet around = closed_around(kind, start, closed);
+        if (from == to || table.leg(a, b).ticks < 0) continue;
+        if (!crosses_any(kind, table.path(a, b), around)) continue;
+        const Path path =
+            planner_of(kind, around, false).plan(start, routes.request.stops[to].pose);
         Way way = way_of(path, routes.motion, data_.tick_s);
         table.set(a, b, way.leg);
         table.set_path(a, b, std::move(way.path));

@@ -88,6 +88,16 @@ TEST(MapWays, WhoIsInsideOfAClosedZoneMayLeaveIt) {
   }
 }
 
+TEST(MapWays, AStationInsideOfAClosedZoneCanBeLeftButNotEntered) {
+  MapWaysData data = hall_with_two_doors();
+  data.zones[0].polygon = corners_of({1.0, 11.0, 0.5, 3.5});  // station s0 is in it
+  const MapWays ways(std::move(data));
+  for (const WorkerKindId kind : {WorkerKindId(0), WorkerKindId(1)}) {
+    EXPECT_GE(ways.table(kind, kSouth).leg(StationId(0), StationId(2)).ticks, 0);
+    EXPECT_EQ(ways.table(kind, kSouth).leg(StationId(2), StationId(0)).ticks, -1);
+  }
+}
+
 TEST(MapWays, FindsAWayFromEveryPoseOnAnArcAlongAWall) {
   MapWaysData data = hall_with_two_doors();
   const TravelTable table = data.base[1];

@@ -48,7 +48,9 @@ class Builder {
       auto& planner = planners[jobs_[i].request];
       const RouteRequest& request = requests_[jobs_[i].request];
       if (!planner) {
-        planner = make_path_planner(request.planner, map_, request.mover, request.options);
+        PathPlannerOptions options = request.options;
+        options.most_expansions = std::min(options.most_expansions, options_.most_expansions);
+        planner = make_path_planner(request.planner, map_, request.mover, options);
       }
       plan_to(jobs_[i], *planner);
     }

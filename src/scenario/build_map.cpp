@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "areas.hpp"
 #include "build_state.hpp"
 #include "limits.hpp"
 #include "linewright/base/files.hpp"
@@ -19,49 +20,12 @@ bool has_key(const SourceNode& node, std::string_view key) {
                      [&](const SourceEntry& entry) { return entry.key == key; });
 }
 
-std::optional<Rectangle> rectangle(BuildState& state, const SourceNode& node,
-                                   const std::string& title) {
-  if (!node.is_list()) return std::nullopt;
-  const auto number = [&](std::size_t i) { return parse_real(node.items[i].text).value_or(0.0); };
-  const Rectangle r{number(0), number(1), number(2), number(3)};
-  if (r.x0_m < r.x1_m && r.y0_m < r.y1_m) return r;
-  state.problems.error(node.mark, fmt::format("{}: the rectangle has no area", title),
-                       "write [x0, x1, y0, y1] with x0 < x1 and y0 < y1");
-  return std::nullopt;
-}
-
-/// The corners, counter-clockwise.
-std::optional<Polygon> polygon(BuildState& state, const SourceNode& node,
-                               const std::string& title) {
-  if (!node.is_list() || !node.sound) return std::nullopt;
-  Polygon corners;
-  for (const SourceNode& corner : node.items) {
-    corners.push_back({parse_real(corner.items[0].text).value_or(0.0),
-                       parse_real(corner.items[1].text).value_or(0.0)});
-  }
-  if (const auto fault = polygon_fault(corners)) {
-    state.problems.error(node.mark, fmt::format("{}: not a simple polygon: {}", title, *fault),
-                         "give the corners in the order in which one walks around it");
-    return std::nullopt;
-  }
-  if (doubled_area_m2(corners) < 0.0) std::reverse(corners.begin(), corners.end());
-  return corners;
-}
-
-std::optional<Polygon> area_of(BuildState& state, const SourceNode& node,
-                               const std::string& title) {
-  if (const SourceNode* corners = node.find("polygon")) return polygon(state, *corners, title);
-  const SourceNode* sides = node.is_list() ? &node : node.find("rectangle");
-  const auto r = sides != nullptr ? rectangle(state, *sides, title) : std::nullopt;
-  return r ? std::optional(corners_of(*r)) : std::nullopt;
-}
-
 std::vector<Obstacle> obstacles_in(BuildState& state, const SourceNode& map) {
   std::vector<Obstacle> obstacles;
   const SourceNode* node = map.find("obstacles");
   if (node == nullptr) return obstacles;
   for (const SourceEntry& entry : node->entries) {
-    auto area = area_of(state, entry.value, fmt::format("obstacle {}", in_quotes(entry.key)));
+    auto area = read_area(state, entry.value, fmt::format("obstacle {}", in_quotes(entry.key)));
     if (!area) continue;
     obstacles.push_back({entry.key, std::move(*area), real_or(entry.value, "height_m", 1.0)});
   }
@@ -83,7 +47,7 @@ double raster_work(const GridFrame& frame, const Polygon& obstacle) {
 /// The free grid over `bounds`; reports one that is too large.
 std::optional<OccupancyGrid> free_grid(BuildState& state, const SourceNode& map,
                                        const SourceNode& bounds) {
-  const auto hall = rectangle(state, bounds, "the map");
+  const auto hall = read_rectangle(state, bounds, "the map");
   if (!hall) return std::nullopt;
   const double cell_m = real_or(map, "cell_m", 0.25);
   const double area_m2 = (hall->x1_m - hall->x0_m) * (hall->y1_m - hall->y0_m);
@@ -187,7 +151,7 @@ void build_map(BuildState& state) {
   add_obstacles(state, node->mark, map.obstacles, *grid);
   map.bounds = bounds_of_grid(grid->frame());
   map.cell_m = grid->cell_m();
-  if (bounds != nullptr) map.bounds = *rectangle(state, *bounds, "the map");
+  if (bounds != nullptr) map.bounds = *read_rectangle(state, *bounds, "the map");
   map.grid = std::make_shared<const OccupancyGrid>(std::move(*grid));
   state.scenario.map = std::move(map);
 }

@@ -26,8 +26,9 @@ struct BuildState {
   NameTable names;
   Scenario scenario;
   LoadOptions options;
-  std::string route_cache_file;           ///< empty: routes are not kept
-  bool may_read_files = true;             ///< false: the scenario is a text without a folder
+  std::string route_cache_file;  ///< empty: routes are not kept
+  std::string routes_to_store;   ///< bytes for that file, once the scenario has turned out sound
+  bool may_read_files = true;    ///< false: the scenario is a text without a folder
   std::optional<std::uint64_t> map_hash;  ///< of the map file's content, where there is one
   std::vector<TaskSource> task_sources;   ///< by task id
   std::array<std::vector<bool>, kSections> sound;  ///< by section and id: nothing wrong reported
@@ -93,5 +94,8 @@ void check_order(const BuildState& state);
 
 /// Ways between the stations, for every kind of worker; reports ways that are needed and not there.
 void build_travel(BuildState& state);
+
+/// Keeps newly planned routes for the next time; a file that cannot be written is a warning.
+void store_routes(BuildState& state);
 
 }  // namespace linewright::loading

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "areas.hpp"
 #include "build_state.hpp"
 #include "values.hpp"
 
@@ -78,6 +79,14 @@ void build_worker(BuildState& state, std::int32_t id, const SourceNode& node) {
   kind.turn_rate_radps = real_or(node, "turn_rate_radps", kind.turn_rate_radps);
   kind.acceleration_mps2 = real_or(node, "acceleration_mps2", kind.acceleration_mps2);
   kind.min_leg_ticks = integer_or(node, "min_leg_ticks", kind.min_leg_ticks);
+  if (const SourceNode* outline = node.find("outline_m")) {
+    kind.outline_m = read_polygon(state, *outline, title).value_or(Polygon{});
+    if (node.find("footprint_m") != nullptr) {
+      state.problems.error(outline->mark,
+                           fmt::format("{}: it has both 'footprint_m' and 'outline_m'", title),
+                           "remove one of them");
+    }
+  }
   if (const SourceNode* footprint = node.find("footprint_m")) {
     for (const SourceNode& item : footprint->items) {
       kind.footprint_m.push_back(parse_real(item.text).value_or(0.0));

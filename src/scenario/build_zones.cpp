@@ -3,22 +3,12 @@
 #include <algorithm>
 #include <utility>
 
+#include "areas.hpp"
 #include "build_state.hpp"
-#include "linewright/map/polygon.hpp"
 #include "values.hpp"
 
 namespace linewright::loading {
 namespace {
-
-double number(const SourceNode& node) { return parse_real(node.text).value_or(0.0); }
-
-Polygon corners(const SourceNode& node) {
-  Polygon polygon;
-  for (const SourceNode& corner : node.items) {
-    if (corner.is_list()) polygon.push_back({number(corner.items[0]), number(corner.items[1])});
-  }
-  return polygon;
-}
 
 /// The zone's outline, counter-clockwise; reports when it has none or encloses nothing.
 Polygon outline(BuildState& state, const SourceNode& node, const std::string& title) {
@@ -33,23 +23,7 @@ Polygon outline(BuildState& state, const SourceNode& node, const std::string& ti
                          "write rectangle: [x0, x1, y0, y1] or polygon: [[x, y], ...]");
     return {};
   }
-  if (polygon != nullptr) {
-    Polygon made = corners(*polygon);
-    if (const auto fault = polygon_fault(made)) {
-      state.problems.error(polygon->mark, fmt::format("{}: the polygon: {}", title, *fault),
-                           "list the corners in order around it");
-    }
-    if (doubled_area_m2(made) < 0.0) std::reverse(made.begin(), made.end());
-    return made;
-  }
-  if (!rectangle->is_list()) return {};
-  const auto& n = rectangle->items;
-  const Rectangle made{number(n[0]), number(n[1]), number(n[2]), number(n[3])};
-  if (!(made.x0_m < made.x1_m && made.y0_m < made.y1_m)) {
-    state.problems.error(rectangle->mark, fmt::format("{}: the rectangle has no area", title),
-                         "write [x0, x1, y0, y1] with x0 < x1 and y0 < y1");
-  }
-  return corners_of(made);
+  return read_area(state, node, title).value_or(Polygon{});
 }
 
 /// Ascending and disjoint, whatever the file's order; what overlaps or touches is one.

@@ -140,6 +140,10 @@ ShapePtr worker() {
            "How many; [min, max] is drawn uniformly at reset. Default 1"),
        key("speed_mps", real(1e-3, 1e3), "Metres per second. Default 1.0"),
        key("radius_m", real(0, 100), "Radius of the circle around the worker, metres. Default 0.3"),
+       key("outline_m",
+           list(list(real(-100, 100), "[x_m, y_m]", 2, 2), "a list of 3 to 16 corners [x_m, y_m]",
+                3, kMostOutlineCorners),
+           "Instead of footprint_m: corners of a polygon around the worker, x forward, y left"),
        key("footprint_m", list(real(1e-3, 100), "[length, width]", 2, 2),
            "Length and width, metres"),
        key("turning_radius_m", real(0, 1e3), "Metres; 0 turns on the spot. Default 0"),
@@ -345,7 +349,7 @@ ShapePtr zone() {
   return mapping(
       "a mapping with a rectangle or a polygon",
       {key("rectangle", rectangle(), "x0, x1, y0, y1 in metres"),
-       key("polygon", list(corner, "a list of 3 to 100 corners [x_m, y_m]", 3, kMostCorners),
+       key("polygon", list(corner, "a list of 3 to 200 corners [x_m, y_m]", 3, kMostCorners),
            "Its corners in order, metres"),
        key("closed", list(span, "a list of [tick, ticks]"),
            "When it is closed: from the start of tick, for so many ticks")});

@@ -20,13 +20,13 @@ inline constexpr std::int32_t kMostExecutions = 30'000;  ///< max_running of all
 inline constexpr std::int32_t kMostCrew = 8;             ///< slots of one task
 inline constexpr std::int32_t kMostOfAKind = 10'000;     ///< workers or carriers of one kind
 inline constexpr std::int32_t kLargestAmount = 1'000'000;
-inline constexpr std::int32_t kMostPerOrder = 1000;  ///< N of `N*order`
-inline constexpr double kLargestCoordinate = 1e5;    ///< metres
-inline constexpr double kSmallestCell = 0.01;        ///< metres
-inline constexpr double kShortestTick = 1e-3;        ///< seconds
-inline constexpr std::size_t kMostCorners = 200;     ///< of an obstacle or a zone
-inline constexpr double kMostRasterWork = 5e8;       ///< cells and edges to visit for all obstacles
-inline constexpr double kMostGridWork = 2e9;         ///< cells times goals of routes on the map
+inline constexpr std::int32_t kMostPerOrder = 1000;     ///< N of `N*order`
+inline constexpr double kLargestCoordinate = 1e5;       ///< metres
+inline constexpr double kSmallestCell = 0.01;           ///< metres
+inline constexpr double kShortestTick = 1e-3;           ///< seconds
+inline constexpr std::size_t kMostCorners = 200;        ///< of an obstacle or a zone
+inline constexpr std::size_t kMostOutlineCorners = 16;  ///< of a worker
+inline constexpr double kMostRasterWork = 5e8;  ///< cells and edges to visit for all obstacles
 inline constexpr std::size_t kLargestRouteCache = 256'000'000;  ///< bytes
 
 }  // namespace linewright::loading

@@ -56,6 +56,7 @@ Scenario resolve(SourceNode root, const std::string& file, bool may_read_files,
   check(state);
   loading::build_travel(state);
   problems.throw_if_any();
+  loading::store_routes(state);
   if (state.map_hash) hash = hash_of(std::to_string(*state.map_hash), hash);
   state.scenario.content_hash = hash;
   return std::move(state.scenario);

@@ -13,6 +13,7 @@ Footprint footprint_of(const WorkerKind& worker) {
   if (worker.footprint_m.size() == 2) {
     return Footprint::rectangle(worker.footprint_m[0], worker.footprint_m[1]);
   }
+  if (!worker.outline_m.empty()) return Footprint::polygon(worker.outline_m);
   return Footprint::circle(worker.radius_m);
 }
 
@@ -55,8 +56,11 @@ std::string culprit(const HallMap& map, Point2 point) {
 }
 
 std::string body_of(const WorkerKind& worker) {
-  if (worker.footprint_m.size() != 2) return fmt::format("radius {} m", worker.radius_m);
-  return fmt::format("footprint {} m x {} m", worker.footprint_m[0], worker.footprint_m[1]);
+  if (worker.footprint_m.size() == 2) {
+    return fmt::format("footprint {} m x {} m", worker.footprint_m[0], worker.footprint_m[1]);
+  }
+  if (!worker.outline_m.empty()) return "its outline";
+  return fmt::format("radius {} m", worker.radius_m);
 }
 
 bool check_size(BuildState& state, const RoutedKind& routed, const KindRoutes& kind) {

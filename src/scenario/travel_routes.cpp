@@ -43,16 +43,6 @@ std::optional<std::vector<RouteTable>> cached(BuildState& state, const std::stri
   return std::nullopt;
 }
 
-void store(BuildState& state, const std::string& file, const std::vector<RouteTable>& tables,
-           std::uint64_t key) {
-  try {
-    write_file(file, encode_routes(tables, key));
-  } catch (const ScenarioError& error) {
-    warn(state, file, "the routes could not be stored: " + error.diagnostics().front().message,
-         "they will be planned again the next time");
-  }
-}
-
 std::vector<RouteTable> built(const BuildState& state,
                               const std::shared_ptr<const ClearanceMap>& map,
                               const std::vector<RouteRequest>& requests) {
@@ -60,7 +50,7 @@ std::vector<RouteTable> built(const BuildState& state,
   RouteBuildOptions build{.threads = options.threads,
                           .cancel = options.cancel,
                           .progress = options.progress,
-                          .most_expansions = options.most_route_expansions};
+                          .most_expansions = options.most_route_work};
   auto tables = build_route_tables(map, requests, build);
   if (options.cancel != nullptr && options.cancel->requested()) {
     throw ScenarioError(state.scenario.file, "interrupted while planning the routes",
@@ -76,7 +66,7 @@ std::vector<RouteTable> routes_of(BuildState& state, const std::shared_ptr<const
   const std::uint64_t key = route_key(*state.scenario.map->grid, requests);
   if (auto tables = cached(state, file, key, requests)) return std::move(*tables);
   std::vector<RouteTable> tables = built(state, map, requests);
-  store(state, file, tables, key);
+  state.routes_to_store = encode_routes(tables, key);
   return tables;
 }
 
@@ -107,7 +97,7 @@ void fill_from_routes(BuildState& state, const std::vector<RoutedKind>& kinds) {
     routed.push_back(route_request(state, kind));
     requests.push_back(routed.back().request);
   }
-  if (work_of(hall, requests) > kMostGridWork) {
+  if (work_of(hall, requests) > static_cast<double>(state.options.most_route_work)) {
     state.problems.error(kinds.front().mark,
                          "the map has too many cells to search the ways between all stations",
                          "make 'cell_m' larger, or the map's resolution coarser");
@@ -127,6 +117,17 @@ void fill_from_routes(BuildState& state, const std::vector<RoutedKind>& kinds) {
     state.scenario.routes[kinds[i].kind] = std::move(routed[i]);
   }
   give_ways(state);
+}
+
+void store_routes(BuildState& state) {
+  if (state.routes_to_store.empty()) return;
+  try {
+    write_file(state.route_cache_file, state.routes_to_store);
+  } catch (const ScenarioError& error) {
+    warn(state, state.route_cache_file,
+         "the routes could not be stored: " + error.diagnostics().front().message,
+         "they will be planned again the next time");
+  }
 }
 
 }  // namespace linewright::loading

@@ -134,6 +134,16 @@ Leg Simulator::route_from_worker(const SimulationState& state, WorkerId id, Stat
   return leg;
 }
 
+bool Simulator::stands_at_station(const SimulationState& state, WorkerId id) const {
+  const WorkerState& worker = state.workers[id.index()];
+  return worker.arrive <= state.now && !between_stations(worker, state.now);
+}
+
+const TravelTable& Simulator::travel(const SimulationState& state, WorkerKindId kind) const {
+  const ZoneSet closed = compiled_->has_side_events ? closed_at(state, state.now + 1) : ZoneSet{0};
+  return closed == 0 ? line_->travel[kind.index()] : line_->ways->table(kind, closed);
+}
+
 StationId Simulator::snapped_station(const SimulationState& state, WorkerId id) const {
   const WorkerState& worker = state.workers[id.index()];
   const auto kind = static_cast<std::size_t>(worker.kind);

@@ -22,7 +22,9 @@ struct WorkerKind {
   CountRange count;
   double speed_mps = 1.0;
   double radius_m = 0.3;            ///< of the circle around it
-  std::vector<double> footprint_m;  ///< {length, width}, or empty: a circle of radius_m
+  std::vector<double> footprint_m;  ///< {length, width}, or empty: `outline_m`
+  std::vector<Point2> outline_m;    ///< simple polygon around the pose, x forward; or empty: a
+                                    ///< circle of radius_m
   double turning_radius_m = 0.0;
   double turn_rate_radps = 0.0;    ///< turning on the spot; 0: takes no time
   double acceleration_mps2 = 0.0;  ///< from and to standstill; 0: full speed at once

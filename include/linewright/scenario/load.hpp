@@ -22,9 +22,10 @@ struct LoadOptions {
   const CancelToken* cancel = nullptr;  ///< stops the planning of routes: then ScenarioError
   /// Routes planned so far and in all; from any thread, only while they are planned.
   std::function<void(std::size_t done, std::size_t total)> progress;
-  /// Expansions for all routes together, after which the rest counts as not found; for hostile
-  /// input.
-  std::size_t most_route_expansions = SIZE_MAX;
+  /// What planning all routes may cost: cells of the map times goals (more is an error), and
+  /// expansions of all searches together (after which the rest counts as not found). For hostile
+  /// input; a large hall takes 1e8.
+  std::size_t most_route_work = 2'000'000'000;
 };
 
 /// Reads a scenario file (docs/formats/scenario.md). Throws ScenarioError with every diagnostic

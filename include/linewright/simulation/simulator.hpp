@@ -102,6 +102,13 @@ class Simulator {
   /// first.
   [[nodiscard]] StationId snapped_station(const SimulationState& state, WorkerId worker) const;
 
+  /// Whether it stands at its station (WorkerState::station), not somewhere on the floor.
+  [[nodiscard]] bool stands_at_station(const SimulationState& state, WorkerId worker) const;
+
+  /// The ways between stations for workers of the kind that set out at tick now + 1: those of the
+  /// line, or, while zones are closed, around these.
+  [[nodiscard]] const TravelTable& travel(const SimulationState& state, WorkerKindId kind) const;
+
  private:
   [[nodiscard]] bool assignable(const SimulationState& state, const Assignment& assignment) const;
 
