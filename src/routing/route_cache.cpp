@@ -115,13 +115,17 @@ void write_path(Writer& out, const Path& path) {
   }
 }
 
+/// Metres or radians; arcs: turning radii, too.
+constexpr double kLongestPiece = 1e6;
+
 bool read_path(Reader& in, const Pose2& start, Path& path) {
   const std::uint8_t status = in.u8();
   path.turning_radius_m = in.real();
   const std::uint32_t segments = in.u32();
   constexpr std::size_t kBytesPerSegment = 9;
   if (!in.ok() || status > static_cast<std::uint8_t>(PathStatus::kSearchLimit) ||
-      !std::isfinite(path.turning_radius_m) || segments > in.left() / kBytesPerSegment) {
+      !(path.turning_radius_m >= 0.0 && path.turning_radius_m <= kLongestPiece) ||
+      segments > in.left() / kBytesPerSegment) {
     return false;
   }
   path.status = static_cast<PathStatus>(status);
@@ -131,8 +135,12 @@ bool read_path(Reader& in, const Pose2& start, Path& path) {
     const std::uint8_t kind = in.u8();
     segment.amount = in.real();
     if (kind > static_cast<std::uint8_t>(PathSegment::Kind::kTurn)) return false;
-    if (!std::isfinite(segment.amount)) return false;
     segment.kind = static_cast<PathSegment::Kind>(kind);
+    const bool arc =
+        segment.kind == PathSegment::Kind::kLeft || segment.kind == PathSegment::Kind::kRight;
+    // Whatever is drawn or timed later takes as many steps as this is long.
+    if (!(std::abs(segment.amount) <= kLongestPiece)) return false;
+    if (arc && !(std::abs(segment.amount) <= kLongestPiece * path.turning_radius_m)) return false;
   }
   return in.ok();
 }

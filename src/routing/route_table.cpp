@@ -123,6 +123,10 @@ std::string explain_missing(const RouteRequest& request, std::size_t from, std::
       return fmt::format("every aisle from '{}' to '{}' is blocked or narrower than {:.2f} m",
                          a.name, b.name, 2.0 * request.mover.footprint.inscribed_m());
     case PathStatus::kNoManoeuvre:
+      if (request.mover.turning_radius_m <= 0.0) {
+        return fmt::format("every aisle from '{}' to '{}' is too narrow for this footprint", a.name,
+                           b.name);
+      }
       return fmt::format(
           "from '{}' to '{}' there are aisles wide enough, but no room to turn in with a turning "
           "radius of {:.2f} m and this footprint",
