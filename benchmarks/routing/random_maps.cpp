@@ -56,6 +56,8 @@ std::vector<std::string> row(const Case& c, const std::vector<Run>& runs) {
   std::vector<double> warm;
   double expansions = 0.0;
   std::map<PathStatus, int> count;
+  double metres = 0.0;
+  double bound = 0.0;
   int disc = 0;
   int disc_found = 0;
   int aisle = 0;
@@ -65,6 +67,10 @@ std::vector<std::string> row(const Case& c, const std::vector<Run>& runs) {
     expansions += static_cast<double>(r.effort.expansions);
     ++count[r.status];
     const Reachable can = reachable(c, r.query);
+    if (r.status == PathStatus::kFound) {
+      metres += r.metres;
+      bound += std::max(1.0, distance_m(r.query.start.point(), r.query.goal.point()));
+    }
     aisle += can.aisle ? 1 : 0;
     disc += can.disc ? 1 : 0;
     disc_found += can.disc && r.status == PathStatus::kFound ? 1 : 0;
@@ -77,6 +83,8 @@ std::vector<std::string> row(const Case& c, const std::vector<Run>& runs) {
                       count[PathStatus::kSearchLimit]),
           spread_ms(cold),
           spread_ms(warm),
+          fmt::format("{:.3f}", metres / bound),
+          fmt::format("{:.0f}", expansions / static_cast<double>(runs.size())),
           fmt::format("{:.2f}", expansions / sum_of(warm) / 1e6)};
 }
 
@@ -116,10 +124,10 @@ void measure_random_maps(bool thorough) {
     std::vector<Run> all;
     std::vector<std::vector<std::string>> rows{{body.name, "found", "of disc's", "aisle",
                                                 "no aisle / manoeuvre / limit", "cold ms",
-                                                "warm ms", "M exp/s"}};
+                                                "warm ms", "metres / straight", "expansions", "M exp/s"}};
     for (const std::int32_t size : {384, 1600}) {
       for (const std::size_t percent : {10, 20, 30}) {
-        const std::size_t queries = (size == 384 ? 100U : 40U) * (thorough ? 4U : 1U);
+        const std::size_t queries = (size == 384 ? 20U : 6U) * (thorough ? 5U : 1U);
         const Case c = random_case(size, percent, body.mover, queries);
         std::vector<Run> runs;
         for (const Query& query : c.queries) runs.push_back(run(c, query));

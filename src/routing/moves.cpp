@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 
 #include "linewright/map/row_spans.hpp"
 
@@ -36,7 +37,8 @@ MoveTable::MoveTable(const CollisionChecker& checker, const Mover& mover,
       cell_m_(checker.map().frame().cell_m),
       ignores_heading_(radius_m_ <= 0.0 && mover.footprint.is_circle()),
       headings_(ignores_heading_ ? 1 : options.headings),
-      step_rad_(2 * kPi / headings_) {
+      step_rad_(2 * kPi / headings_),
+      lattice_(headings_) {
   if (ignores_heading_) {
     add_walk_moves();
   } else if (radius_m_ > 0.0) {
@@ -53,6 +55,7 @@ int MoveTable::quarter_of(double offset) {
 }
 
 void MoveTable::add(PathSegment piece, int turn, double cost_m) {
+  lattice_ = std::gcd(lattice_, turn);
   const Pose2 end = advanced({}, piece.kind, piece.amount, radius_m_);
   moves_.push_back({piece, turn, static_cast<float>(cost_m), static_cast<float>(end.x_m),
                     static_cast<float>(end.y_m)});

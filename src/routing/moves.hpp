@@ -32,6 +32,9 @@ class MoveTable {
   /// Steps that headings are told apart in; 1 for a mover whose heading does not matter.
   [[nodiscard]] int headings() const { return headings_; }
   [[nodiscard]] double step_rad() const { return step_rad_; }
+  /// Heading steps of which every move turns a multiple, a divisor of headings(): a search reaches
+  /// headings() / lattice() headings only.
+  [[nodiscard]] int lattice() const { return lattice_; }
   /// Longest way that any point of the footprint goes in one move, in cells.
   [[nodiscard]] float reach_cells() const { return reach_cells_; }
 
@@ -92,6 +95,7 @@ class MoveTable {
   bool ignores_heading_;
   int headings_;
   double step_rad_;
+  int lattice_;
   float reach_cells_ = 0.0F;
   std::vector<Move> moves_;
   std::vector<Entry> table_;
