@@ -67,13 +67,21 @@ void MoveTable::add(PathSegment piece, int turn, double cost_m) {
   reach_cells_ = std::max(reach_cells_, static_cast<float>((metres + swing) / cell_m_));
 }
 
-void MoveTable::add_car_moves(const PathPlannerOptions& options) {
-  // Just long enough to leave the cell in any direction.
+/// Heading steps that an arc turns: about as many as lead out of the cell in any direction, and a
+/// divisor of all, so that a search has to do with few headings.
+int MoveTable::arc_turn() const {
+  // Nearly out will do: another heading is another node even in the same cell.
+  const double least_m = 0.8 * 1.4143 * cell_m_;
   int turn = 1;
-  while (turn < headings_ / 4 &&
-         2.0 * radius_m_ * std::sin(turn * step_rad_ / 2.0) < 1.4143 * cell_m_) {
+  while (turn < headings_ / 4 && (headings_ % turn != 0 ||
+                                  2.0 * radius_m_ * std::sin(turn * step_rad_ / 2.0) < least_m)) {
     ++turn;
   }
+  return turn;
+}
+
+void MoveTable::add_car_moves(const PathPlannerOptions& options) {
+  const int turn = arc_turn();
   const double arc = radius_m_ * turn * step_rad_;
   const double straight = std::max(arc, 1.4143 * cell_m_);
   for (const double sign : {1.0, -1.0}) {

@@ -71,6 +71,7 @@ class MoveTable {
  private:
   static constexpr int kQuarters = 4;
 
+  [[nodiscard]] int arc_turn() const;
   void add_car_moves(const PathPlannerOptions& options);
   void add_drive_moves(const PathPlannerOptions& options);
   void add_walk_moves();
