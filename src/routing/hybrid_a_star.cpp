@@ -252,11 +252,15 @@ class HybridAStar::Search {
         move, node.x_m * per_cell_, node.y_m * per_cell_, step_of(heading), offset_quarter_);
     if (swept.rows != nullptr) {
       std::uint64_t hit = 0;
+      std::uint64_t certain = 0;
       for (int r = 0; r < swept.height; ++r) {
-        hit |= swept.rows[r] & map_->bits(cell.column + swept.first_column,
-                                          cell.row + swept.first_row + r, swept.width);
+        const std::uint64_t blocked = map_->bits(cell.column + swept.first_column,
+                                                 cell.row + swept.first_row + r, swept.width);
+        hit |= swept.rows[r] & blocked;
+        certain |= swept.core[r] & blocked;
       }
       if (hit == 0) return true;
+      if (certain != 0) return false;
     }
     const Pose2 from{node.x_m, node.y_m, heading_rad(heading)};
     const Move& made = moves_.moves()[move];

@@ -21,8 +21,9 @@ struct Move {
 
 /// The moves of a mover, and for each of them the cells that it may touch, so that near obstacles a
 /// few words of bits decide. The pose before a move is its cell, a quarter of the cell in each
-/// direction, a heading step and a quarter of that; the bits cover all poses of such a box, so "no
-/// bit in a blocked cell" means free, and anything else has to be looked at exactly.
+/// direction, a heading step and a quarter of that. One set of bits covers what any pose of such a
+/// box may touch: "none in a blocked cell" means free. Another one holds what every pose of the box
+/// touches: "one in a blocked cell" means blocked. Between the two one has to look exactly.
 class MoveTable {
  public:
   /// `checker`'s footprint includes the clearance.
@@ -38,10 +39,11 @@ class MoveTable {
   /// Longest way that any point of the footprint goes in one move, in cells.
   [[nodiscard]] float reach_cells() const { return reach_cells_; }
 
-  /// Cells that may be touched, relative to the cell of the pose: `height` rows of bits from
-  /// `first_row` on, lowest bit = `first_column`.
+  /// Cells relative to the cell of the pose: `height` rows of bits from `first_row` on, lowest bit
+  /// = `first_column`.
   struct Swept {
-    const std::uint64_t* rows = nullptr;  ///< null: too wide for a word, look exactly
+    const std::uint64_t* rows = nullptr;  ///< may be touched; null: too wide for a word
+    const std::uint64_t* core = nullptr;  ///< are touched in any case
     std::int16_t first_row = 0;
     std::int16_t first_column = 0;
     std::int16_t height = 0;
@@ -62,7 +64,7 @@ class MoveTable {
         static_cast<std::size_t>(qx);
     const Entry& entry = table_[index];
     if (entry.state != State::kReady) return make(index, move, qx, qy, heading, offset_quarter);
-    return {&pool_[entry.offset], entry.first_row, entry.first_column, entry.height, entry.width};
+    return swept_of(entry);
   }
 
   /// Which quarter of a heading step an offset (-0.5 ... 0.5 steps) lies in.
@@ -76,19 +78,27 @@ class MoveTable {
   void add_drive_moves(const PathPlannerOptions& options);
   void add_walk_moves();
   void add(PathSegment piece, int turn, double cost_m);
+  [[nodiscard]] Pose2 pose_on(const Move& move, const Pose2& from, double share) const;
   [[nodiscard]] Swept make(std::size_t index, std::size_t move, int qx, int qy, int heading,
                            int offset_quarter);
   [[nodiscard]] std::vector<Polygon> swept_areas(const Move& move, const Pose2& from) const;
+  [[nodiscard]] std::vector<Polygon> core_areas(const Move& move, const Pose2& from) const;
 
   enum class State : std::uint8_t { kUnknown, kReady, kTooWide };
   struct Entry {
-    std::uint32_t offset = 0;  ///< into pool_
+    std::uint32_t offset = 0;  ///< into pool_: rows, then core
     std::int16_t first_row = 0;
     std::int16_t first_column = 0;
     std::int16_t height = 0;
     std::int16_t width = 0;
     State state = State::kUnknown;
   };
+
+  [[nodiscard]] Swept swept_of(const Entry& entry) const {
+    const std::uint64_t* rows = &pool_[entry.offset];
+    return {rows,         rows + entry.height, entry.first_row, entry.first_column,
+            entry.height, entry.width};
+  }
 
   const CollisionChecker& checker_;
   double radius_m_;
