@@ -264,7 +264,12 @@ class HybridAStar::Search {
     }
     const Pose2 from{node.x_m, node.y_m, heading_rad(heading)};
     const Move& made = moves_.moves()[move];
-    if (moves_.headings() > 1) return steering_.free(from, {&made.piece, 1});
+    if (moves_.headings() > 1) {
+      // What is in the way is mostly so at the end.
+      const Pose2 end =
+          advanced(from, made.piece.kind, made.piece.amount, steering_.turning_radius_m());
+      return checker_.free(end) && steering_.free(from, {&made.piece, 1});
+    }
     const Pose2 facing{from.x_m, from.y_m, std::atan2(made.dy_m, made.dx_m)};
     return steering_.free(facing, {&made.piece, 1});
   }
