@@ -31,7 +31,8 @@ function(linewright_add_repository_test)
   endif()
 endfunction()
 
-# benchmarks/*.cpp -> one Google Benchmark program each, in <build folder>/benchmarks.
+# benchmarks/*.cpp -> one program each, in <build folder>/benchmarks. The sources of x_benchmark.cpp
+# are also benchmarks/x/*.cpp; a program without a main function of its own is Google Benchmark's.
 function(linewright_add_benchmarks)
   if(NOT LINEWRIGHT_BUILD_BENCHMARKS)
     return()
@@ -40,7 +41,9 @@ function(linewright_add_benchmarks)
   get_property(layers GLOBAL PROPERTY LINEWRIGHT_LAYERS)
   foreach(source IN LISTS sources)
     cmake_path(GET source STEM name)
-    add_executable(${name} "${source}")
+    string(REGEX REPLACE "_benchmark$" "" folder "${name}")
+    file(GLOB parts CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/benchmarks/${folder}/*.cpp")
+    add_executable(${name} "${source}" ${parts})
     target_link_libraries(${name}
       PRIVATE linewright_options ${layers} benchmark::benchmark benchmark::benchmark_main)
     target_compile_definitions(${name} PRIVATE LINEWRIGHT_SOURCE_DIR="${PROJECT_SOURCE_DIR}")

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "aisles.hpp"
+
 namespace linewright {
 namespace {
 
@@ -16,9 +18,8 @@ constexpr float kDiagonal = 1.41421356F;
 
 GoalDistance::GoalDistance(std::shared_ptr<const ClearanceMap> map, double inscribed_m, Cell goal)
     : map_(std::move(map)),
-      // A point of the cell may be half a diagonal farther from the obstacle than its middle.
-      blocked_to_(
-          std::max(0.0F, static_cast<float>(inscribed_m / map_->frame().cell_m - 0.70711 - 1e-4))),
+      inscribed_m_(inscribed_m),
+      passable_(passable_cells(*map_, inscribed_m)),
       goal_(goal),
       distance_(map_->frame().size(), kUnreachable) {
   if (!map_->frame().contains(goal)) return;
@@ -145,6 +146,7 @@ void GoalDistance::search_from(std::vector<Open> seeds, std::size_t& looked_at) 
 
 std::size_t GoalDistance::close(std::shared_ptr<const ClearanceMap> map) {
   map_ = std::move(map);
+  passable_ = passable_cells(*map_, inscribed_m_);
   std::size_t looked_at = 0;
   search_from(forget_ways_through_blocked(looked_at), looked_at);
   return looked_at;

@@ -41,7 +41,9 @@ class HybridAStar::Search {
         steering_(checker_, mover, options),
         moves_(checker_, mover, options),
         curves_(mover.turning_radius_m, map_->frame().cell_m, moves_.headings()),
-        nodes_(map_->frame().size(), moves_.headings()),
+        lattice_(moves_.lattice()),
+        headings_(moves_.headings() / lattice_),
+        nodes_(map_->frame().size(), headings_),
         open_(kBucket_m),
         per_cell_(static_cast<float>(1.0 / map_->frame().cell_m)),
         free_from_(static_cast<float>(
@@ -122,23 +124,24 @@ class HybridAStar::Search {
   /// What depends on the headings of this start and goal.
   void prepare(const Pose2& start) {
     start_ = start;
-    const int headings = moves_.headings();
+    const int all = moves_.headings();
     const double steps = start.heading_rad / moves_.step_rad();
     const double whole = std::round(steps);
-    offset_ = headings == 1 ? 0.0 : steps - whole;
+    offset_ = all == 1 ? 0.0 : steps - whole;
     offset_quarter_ = MoveTable::quarter_of(offset_);
-    first_heading_ = headings == 1 ? 0 : wrapped(static_cast<long>(std::fmod(whole, headings)));
-    displacement_.resize(static_cast<std::size_t>(headings) * moves_.moves().size());
-    for (int h = 0; h < headings; ++h) {
+    const auto rest = static_cast<int>(std::fmod(whole, all));
+    const int first = all == 1 ? 0 : (rest < 0 ? rest + all : rest);
+    first_heading_ = first / lattice_;
+    phase_ = first % lattice_;
+    displacement_.clear();
+    for (int h = 0; h < headings_; ++h) {
       const double angle = heading_rad(h);
       const auto c = static_cast<float>(std::cos(angle));
       const auto s = static_cast<float>(std::sin(angle));
-      for (std::size_t m = 0; m < moves_.moves().size(); ++m) {
-        const Move& move = moves_.moves()[m];
-        displacement_[static_cast<std::size_t>(h) * moves_.moves().size() + m] =
-            headings == 1
-                ? Displacement{move.dx_m, move.dy_m}
-                : Displacement{c * move.dx_m - s * move.dy_m, s * move.dx_m + c * move.dy_m};
+      for (const Move& move : moves_.moves()) {
+        displacement_.push_back(
+            all == 1 ? Displacement{move.dx_m, move.dy_m}
+                     : Displacement{c * move.dx_m - s * move.dy_m, s * move.dx_m + c * move.dy_m});
       }
     }
     if (curves_.used()) curves_.aim(goal_, offset_, moves_.step_rad());
@@ -148,13 +151,11 @@ class HybridAStar::Search {
     out_of_nodes_ = false;
   }
 
-  [[nodiscard]] int wrapped(long heading) const {
-    const int headings = moves_.headings();
-    const auto rest = static_cast<int>(heading % headings);
-    return rest < 0 ? rest + headings : rest;
-  }
+  /// The step of all headings() that a heading of this search is.
+  [[nodiscard]] int step_of(int heading) const { return heading * lattice_ + phase_; }
   [[nodiscard]] double heading_rad(int heading) const {
-    return moves_.headings() == 1 ? start_.heading_rad : (heading + offset_) * moves_.step_rad();
+    return moves_.headings() == 1 ? start_.heading_rad
+                                  : (step_of(heading) + offset_) * moves_.step_rad();
   }
 
   void run(const Pose2& start) {
@@ -192,7 +193,7 @@ class HybridAStar::Search {
     const float cells = distance_->to_goal(cell);
     if (cells == GoalDistance::kUnreachable) return kInfinite;
     float metres = cells * static_cast<float>(map_->frame().cell_m);
-    if (curves_.used()) metres = std::max(metres, curves_.metres(node.x_m, node.y_m, heading));
+    if (curves_.used()) metres = std::max(metres, curves_.metres(node.x_m, node.y_m, step_of(heading)));
     return node.cost_m + metres * static_cast<float>(options_.greed);
   }
 
@@ -214,7 +215,7 @@ class HybridAStar::Search {
       if (!map_->frame().contains(to)) continue;
       const std::size_t index = map_->frame().index(to);
       if (!distance_->passable(index)) continue;
-      const int next_heading = turned(heading, moves[m].turn);
+      const int next_heading = turned(heading, moves[m].turn / lattice_);
       const std::uint32_t next_id = nodes_.id(index, next_heading);
       if (nodes_[next_id].cost_m <= next.cost_m) continue;
       if (!open_space && !move_free(node, cell, heading, m)) continue;
@@ -226,9 +227,8 @@ class HybridAStar::Search {
   }
 
   [[nodiscard]] int turned(int heading, int turn) const {
-    const int headings = moves_.headings();
     const int sum = heading + turn;
-    return sum < 0 ? sum + headings : (sum >= headings ? sum - headings : sum);
+    return sum < 0 ? sum + headings_ : (sum >= headings_ ? sum - headings_ : sum);
   }
 
   /// What it costs that this move is not like the one that led to the node.
@@ -248,19 +248,28 @@ class HybridAStar::Search {
 
   [[nodiscard]] bool move_free(const NodeStore::Node& node, Cell cell, int heading,
                                std::size_t move) {
-    const MoveTable::Swept swept =
-        moves_.swept(move, node.x_m * per_cell_, node.y_m * per_cell_, heading, offset_quarter_);
+    const MoveTable::Swept swept = moves_.swept(
+        move, node.x_m * per_cell_, node.y_m * per_cell_, step_of(heading), offset_quarter_);
     if (swept.rows != nullptr) {
       std::uint64_t hit = 0;
+      std::uint64_t certain = 0;
       for (int r = 0; r < swept.height; ++r) {
-        hit |= swept.rows[r] & map_->bits(cell.column + swept.first_column,
-                                          cell.row + swept.first_row + r, swept.width);
+        const std::uint64_t blocked = map_->bits(cell.column + swept.first_column,
+                                                 cell.row + swept.first_row + r, swept.width);
+        hit |= swept.rows[r] & blocked;
+        certain |= swept.core[r] & blocked;
       }
       if (hit == 0) return true;
+      if (certain != 0) return false;
     }
     const Pose2 from{node.x_m, node.y_m, heading_rad(heading)};
     const Move& made = moves_.moves()[move];
-    if (moves_.headings() > 1) return steering_.free(from, {&made.piece, 1});
+    if (moves_.headings() > 1) {
+      // What is in the way is mostly so at the end.
+      const Pose2 end =
+          advanced(from, made.piece.kind, made.piece.amount, steering_.turning_radius_m());
+      return checker_.free(end) && steering_.free(from, {&made.piece, 1});
+    }
     const Pose2 facing{from.x_m, from.y_m, std::atan2(made.dy_m, made.dx_m)};
     return steering_.free(facing, {&made.piece, 1});
   }
@@ -319,6 +328,8 @@ class HybridAStar::Search {
   Steering steering_;
   MoveTable moves_;
   CurveEstimate curves_;
+  int lattice_;   ///< heading steps between two headings that one search tells apart
+  int headings_;  ///< these headings
   NodeStore nodes_;
   BucketQueue open_;
   float per_cell_;   ///< cells per metre
@@ -331,6 +342,7 @@ class HybridAStar::Search {
   double offset_ = 0.0;  ///< heading steps between all headings and whole steps
   int offset_quarter_ = 0;
   int first_heading_ = 0;
+  int phase_ = 0;  ///< heading steps from step 0 to this search's heading 0
   std::vector<Displacement> displacement_;  ///< [heading][move]
   Finish best_;
   bool out_of_nodes_ = false;

@@ -21,8 +21,9 @@ struct Move {
 
 /// The moves of a mover, and for each of them the cells that it may touch, so that near obstacles a
 /// few words of bits decide. The pose before a move is its cell, a quarter of the cell in each
-/// direction, a heading step and a quarter of that; the bits cover all poses of such a box, so "no
-/// bit in a blocked cell" means free, and anything else has to be looked at exactly.
+/// direction, a heading step and a quarter of that. One set of bits covers what any pose of such a
+/// box may touch: "none in a blocked cell" means free. Another one holds what every pose of the box
+/// touches: "one in a blocked cell" means blocked. Between the two one has to look exactly.
 class MoveTable {
  public:
   /// `checker`'s footprint includes the clearance.
@@ -32,13 +33,17 @@ class MoveTable {
   /// Steps that headings are told apart in; 1 for a mover whose heading does not matter.
   [[nodiscard]] int headings() const { return headings_; }
   [[nodiscard]] double step_rad() const { return step_rad_; }
+  /// Heading steps of which every move turns a multiple, a divisor of headings(): a search reaches
+  /// headings() / lattice() headings only.
+  [[nodiscard]] int lattice() const { return lattice_; }
   /// Longest way that any point of the footprint goes in one move, in cells.
   [[nodiscard]] float reach_cells() const { return reach_cells_; }
 
-  /// Cells that may be touched, relative to the cell of the pose: `height` rows of bits from
-  /// `first_row` on, lowest bit = `first_column`.
+  /// Cells relative to the cell of the pose: `height` rows of bits from `first_row` on, lowest bit
+  /// = `first_column`.
   struct Swept {
-    const std::uint64_t* rows = nullptr;  ///< null: too wide for a word, look exactly
+    const std::uint64_t* rows = nullptr;  ///< may be touched; null: too wide for a word
+    const std::uint64_t* core = nullptr;  ///< are touched in any case
     std::int16_t first_row = 0;
     std::int16_t first_column = 0;
     std::int16_t height = 0;
@@ -59,7 +64,7 @@ class MoveTable {
         static_cast<std::size_t>(qx);
     const Entry& entry = table_[index];
     if (entry.state != State::kReady) return make(index, move, qx, qy, heading, offset_quarter);
-    return {&pool_[entry.offset], entry.first_row, entry.first_column, entry.height, entry.width};
+    return swept_of(entry);
   }
 
   /// Which quarter of a heading step an offset (-0.5 ... 0.5 steps) lies in.
@@ -68,17 +73,20 @@ class MoveTable {
  private:
   static constexpr int kQuarters = 4;
 
+  [[nodiscard]] int arc_turn() const;
   void add_car_moves(const PathPlannerOptions& options);
   void add_drive_moves(const PathPlannerOptions& options);
   void add_walk_moves();
   void add(PathSegment piece, int turn, double cost_m);
+  [[nodiscard]] Pose2 pose_on(const Move& move, const Pose2& from, double share) const;
   [[nodiscard]] Swept make(std::size_t index, std::size_t move, int qx, int qy, int heading,
                            int offset_quarter);
   [[nodiscard]] std::vector<Polygon> swept_areas(const Move& move, const Pose2& from) const;
+  [[nodiscard]] std::vector<Polygon> core_areas(const Move& move, const Pose2& from) const;
 
   enum class State : std::uint8_t { kUnknown, kReady, kTooWide };
   struct Entry {
-    std::uint32_t offset = 0;  ///< into pool_
+    std::uint32_t offset = 0;  ///< into pool_: rows, then core
     std::int16_t first_row = 0;
     std::int16_t first_column = 0;
     std::int16_t height = 0;
@@ -86,12 +94,19 @@ class MoveTable {
     State state = State::kUnknown;
   };
 
+  [[nodiscard]] Swept swept_of(const Entry& entry) const {
+    const std::uint64_t* rows = &pool_[entry.offset];
+    return {rows,         rows + entry.height, entry.first_row, entry.first_column,
+            entry.height, entry.width};
+  }
+
   const CollisionChecker& checker_;
   double radius_m_;
   double cell_m_;
   bool ignores_heading_;
   int headings_;
   double step_rad_;
+  int lattice_;
   float reach_cells_ = 0.0F;
   std::vector<Move> moves_;
   std::vector<Entry> table_;

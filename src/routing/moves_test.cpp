@@ -24,6 +24,7 @@ TEST(MoveTable, WhereNoSweptCellIsBlockedTheMoveIsFree) {
     const Steering steering(checker, mover, options);
     MoveTable table(checker, mover, options);
     int clear = 0;
+    int blocked_for_sure = 0;
     int unsure = 0;
     for (int i = 0; i < 20000; ++i) {
       Pose2 pose = random_free_pose(random, *map, 0.3);
@@ -42,20 +43,28 @@ TEST(MoveTable, WhereNoSweptCellIsBlockedTheMoveIsFree) {
                       MoveTable::quarter_of(offset));
       ASSERT_NE(swept.rows, nullptr);
       std::uint64_t hit = 0;
+      std::uint64_t certain = 0;
       for (int r = 0; r < swept.height; ++r) {
-        hit |= swept.rows[r] & map->bits(static_cast<std::int32_t>(column) + swept.first_column,
-                                         static_cast<std::int32_t>(row) + swept.first_row + r,
-                                         swept.width);
+        const std::uint64_t blocked =
+            map->bits(static_cast<std::int32_t>(column) + swept.first_column,
+                      static_cast<std::int32_t>(row) + swept.first_row + r, swept.width);
+        hit |= swept.rows[r] & blocked;
+        certain |= swept.core[r] & blocked;
+        EXPECT_EQ(swept.core[r] & ~swept.rows[r], 0U);
       }
       const bool free = steering.free(pose, {&move.piece, 1});
       if (hit == 0) {
         EXPECT_TRUE(free);
         ++clear;
+      } else if (certain != 0) {
+        EXPECT_FALSE(free);
+        ++blocked_for_sure;
       } else {
         unsure += free ? 1 : 0;
       }
     }
     EXPECT_GT(clear, 5000);
+    EXPECT_GT(blocked_for_sure, 20);
     EXPECT_LT(unsure, clear / 10);  // the exact look is the exception
   }
 }

@@ -34,7 +34,7 @@ class GoalDistance {
 
   [[nodiscard]] Cell goal() const { return goal_; }
   [[nodiscard]] bool passable(std::size_t cell) const {
-    return map_->distance_cells(cell) > blocked_to_;
+    return ((passable_[cell / 64] >> (cell % 64)) & 1U) != 0;
   }
 
   /// Takes over a map of the same frame with more cells blocked than before: only the ways that
@@ -59,7 +59,8 @@ class GoalDistance {
   void search_from(std::vector<Open> seeds, std::size_t& looked_at);
 
   std::shared_ptr<const ClearanceMap> map_;
-  float blocked_to_;  ///< distance-field values up to this are impassable
+  double inscribed_m_;
+  std::vector<std::uint64_t> passable_;  ///< a bit per cell
   Cell goal_;
   std::vector<float> distance_;
   /// By whole part of the cost modulo 4: a step adds less than 2, so at most three are in use.
