@@ -13,9 +13,10 @@ namespace linewright {
 /// A motion primitive: one piece of a path, and what it does to direction and cost.
 struct Move {
   PathSegment piece;
-  int turn = 0;         ///< change of the heading in steps
-  float cost_m = 0.0F;  ///< without what depends on the move before
-  float dx_m = 0.0F;    ///< where it leads from heading 0 (movers without heading: in any case)
+  int turn = 0;              ///< change of the heading in steps
+  float cost_m = 0.0F;       ///< without what depends on the move before
+  float cost_back_m = 0.0F;  ///< the same when it is driven from its end to its start
+  float dx_m = 0.0F;  ///< where it leads from heading 0 (movers without heading: in any case)
   float dy_m = 0.0F;
 };
 
@@ -77,7 +78,7 @@ class MoveTable {
   void add_car_moves(const PathPlannerOptions& options);
   void add_drive_moves(const PathPlannerOptions& options);
   void add_walk_moves();
-  void add(PathSegment piece, int turn, double cost_m);
+  void add(PathSegment piece, int turn, double cost_m, double cost_back_m);
   [[nodiscard]] Pose2 pose_on(const Move& move, const Pose2& from, double share) const;
   [[nodiscard]] Swept make(std::size_t index, std::size_t move, int qx, int qy, int heading,
                            int offset_quarter);

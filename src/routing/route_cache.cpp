@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::string_view kMagic = "linewright routes\n";
 /// Raise it whenever the layout changes, or the search so that it finds other paths.
-constexpr std::uint32_t kVersion = 1;
+constexpr std::uint32_t kVersion = 2;
 
 /// FNV-1a, 64 bits, over little-endian bytes.
 class Hash {

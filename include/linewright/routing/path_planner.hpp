@@ -37,8 +37,8 @@ struct PathPlannerOptions {
   /// Metres that a radian turned on the spot counts, 0 ... 5; for polygons with turning radius 0.
   double turn_m_per_rad = 0.1;
   /// Factor on the estimate of what is left, 1 ... 3. More: faster, and longer ways by at most
-  /// that.
-  double greed = 1.0;
+  /// that before they are smoothed.
+  double greed = 1.1;
   /// Passes of smoothing, 0 ... 10.
   int smoothing_passes = 3;
   /// Nodes after which a search gives up (kSearchLimit); about 20 bytes each.
