@@ -376,7 +376,7 @@ ShapePtr routes() {
        key("turn_m_per_rad", real(0, 5),
            "Metres that a radian turned on the spot counts. Default 0.1"),
        key("greed", real(1, 3),
-           "Factor on the estimate of what is left: faster, and longer ways. Default 1"),
+           "Factor on the estimate of what is left: faster, and longer ways. Default 1.1"),
        key("smoothing_passes", integer(0, 10), "Default 3"),
        key("most_expansions", integer(1, 100'000'000),
            "Nodes after which the search for a way gives up. Default 3000000")});
