@@ -65,7 +65,10 @@ bool DirectedSearch::begin(const Pose2& from, const Pose2& to) {
   if (!distance_ || !(distance_->goal() == goal_cell)) {
     distance_ = std::make_shared<GoalDistance>(tools_.map, tools_.inscribed_m, goal_cell);
   }
-  const std::size_t cell = map_.frame().index(cell_of(start_.x_m, start_.y_m));
+  const Cell start_cell = cell_of(start_.x_m, start_.y_m);
+  // A body may lie on the map while the point that its pose names does not.
+  if (!map_.frame().contains(start_cell) || !map_.frame().contains(goal_cell)) return false;
+  const std::size_t cell = map_.frame().index(start_cell);
   if (distance_->to_goal(cell) == GoalDistance::kUnreachable) return false;
   prepare_headings();
   if (curves_.used()) curves_.aim(goal_, offset_, tools_.moves.step_rad());
@@ -129,7 +132,7 @@ DirectedSearch::Outcome DirectedSearch::run(std::size_t expansions) {
     const BucketQueue::Entry entry = open_.pop();
     if (nodes_[entry.node].cost_m < entry.cost_m) continue;  // reached more cheaply meanwhile
     if (nodes_.full()) return has_path() ? Outcome::kFound : Outcome::kFull;
-    ++expansions_;
+    if (++expansions_ % 4096 == 0 && is_cancelled()) return Outcome::kFull;
     const NodeStore::Node node = nodes_[entry.node];
     nodes_[entry.node].cost_m = NodeStore::kExpanded;
     if (until_connection_-- == 0) {
@@ -163,6 +166,7 @@ void DirectedSearch::expand(std::uint32_t id, const NodeStore::Node& node) {
   const int heading = nodes_.heading(id);
   const Cell cell{static_cast<std::int32_t>(node.x_m * per_cell_),
                   static_cast<std::int32_t>(node.y_m * per_cell_)};
+  if (!map_.frame().contains(cell)) return;  // a float can be rounded across the edge of the map
   const bool open_space = map_.distance_cells(map_.frame().index(cell)) >= free_from_;
   const std::vector<Move>& moves = tools_.moves.moves();
   const Displacement* displacement =
@@ -292,6 +296,8 @@ void DirectedSearch::finish(std::uint32_t id, double cost_m, const Connection& c
   if (last.curve.count == 0) last = connection_from(pose);
   if (!tools_.steering.free(pose, last.curve.segments())) return;
   for (const PathSegment& piece : last.curve.segments()) append_segment(path, piece);
+  // Over hundreds of metres the floats of the nodes drift away from the exact moves.
+  if (!tools_.steering.free(start_, path.segments)) return;
   const double cost = cost_m + last.cost_m;
   if (cost < best_.cost_m) best_ = {cost, std::move(path)};
 }

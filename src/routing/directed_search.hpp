@@ -52,7 +52,8 @@ class DirectedSearch {
 
   enum class Outcome : std::uint8_t { kPaused, kFound, kExhausted, kFull };
   /// Goes on until there is a path, nothing is left, or `expansions` were done in all (somewhat
-  /// more when it has a path by then and looks for a better one). kFull: out of node numbers.
+  /// more when it has a path by then and looks for a better one). kFull: out of node numbers,
+  /// or cancelled.
   [[nodiscard]] Outcome run(std::size_t expansions);
 
   /// From `from` to `to` also when searched backwards; after kFound.
@@ -80,6 +81,9 @@ class DirectedSearch {
   [[nodiscard]] int step_of(int heading) const { return heading * lattice_ + phase_; }
   [[nodiscard]] double heading_rad(int heading) const;
   [[nodiscard]] int turned(int heading, int turn) const;
+  [[nodiscard]] bool is_cancelled() const {
+    return tools_.options.cancel != nullptr && tools_.options.cancel->requested();
+  }
   [[nodiscard]] bool has_path() const { return best_.cost_m < kNever; }
   [[nodiscard]] float left_m(std::size_t cell, const NodeStore::Node& node, int heading);
   void expand(std::uint32_t id, const NodeStore::Node& node);

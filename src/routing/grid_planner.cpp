@@ -100,7 +100,11 @@ bool GridPlanner::search(Point2 start, Point2 goal) {
     const Open open = open_.back();
     open_.pop_back();
     if (cost_[open.cell] < open.cost) continue;
-    ++effort_.expansions;
+    if (++effort_.expansions > options_.most_expansions) break;
+    if (effort_.expansions % 4096 == 0 && options_.cancel != nullptr &&
+        options_.cancel->requested()) {
+      break;
+    }
     if (last_[open.cell] >= 0.0 && open.cost + last_[open.cell] < best) {
       best = open.cost + last_[open.cell];
       end_ = open.cell;
@@ -142,7 +146,7 @@ Path GridPlanner::plan(const Pose2& start_in_map, const Pose2& goal_in_map) {
   } else if (!checker_.free(goal)) {
     path.status = PathStatus::kGoalOccupied;
   } else if (!search(start.point(), goal.point())) {
-    path.status = PathStatus::kNoAisle;
+    path.status = open_.empty() ? PathStatus::kNoAisle : PathStatus::kSearchLimit;
   } else {
     path = path_to(start, goal);
     smooth(path, steering_, options_.smoothing_passes);

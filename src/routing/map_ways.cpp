@@ -7,6 +7,7 @@
 #include <map>
 #include <mutex>
 #include <numbers>
+#include <tuple>
 #include <utility>
 
 #include "linewright/routing/hybrid_a_star.hpp"
@@ -80,21 +81,21 @@ class MapWays::Impl {
   const TravelTable& table(std::size_t kind, ZoneSet closed) {
     if (closed == 0 || !data_.kinds[kind]) return data_.base[kind];
     const std::scoped_lock lock(mutex_);
-    const auto [found, is_new] = tables_.try_emplace({kind, closed});
-    if (is_new) found->second = planned_anew(kind, closed);
-    return found->second;
+    const auto known = tables_.find({kind, closed});
+    if (known != tables_.end()) return known->second;
+    return tables_.emplace(std::pair(kind, closed), planned_anew(kind, closed)).first->second;
   }
 
   const Way& way(std::size_t kind, const Pose2& from, StationId to, ZoneSet closed) {
     if (!data_.kinds[kind]) closed = 0;
     closed = closed_around(kind, from, closed);
     const std::scoped_lock lock(mutex_);
-    const auto [found, is_new] = ways_.try_emplace({kind, bits_of(from), to.value, closed});
-    if (is_new) {
-      found->second =
-          data_.kinds[kind] ? planned_way(kind, from, to, closed) : straight_way(kind, from, to);
-    }
-    return found->second;
+    const std::tuple key{kind, bits_of(from), to.value, closed};
+    const auto known = ways_.find(key);
+    if (known != ways_.end()) return known->second;
+    Way way =
+        data_.kinds[kind] ? planned_way(kind, from, to, closed) : straight_way(kind, from, to);
+    return ways_.emplace(key, std::move(way)).first->second;
   }
 
   [[nodiscard]] bool inside(std::size_t kind, const Pose2& pose, std::size_t zone) const {

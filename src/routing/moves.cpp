@@ -212,7 +212,8 @@ MoveTable::Swept MoveTable::make(std::size_t index, std::size_t move, int qx, in
   }
   const ColumnSpan columns = columns_between(around.x0_m, around.x1_m);
   const ColumnSpan rows = columns_between(around.y0_m, around.y1_m);
-  if (columns.last - columns.first >= 60 || columns.first < -60 || rows.last - rows.first > 200) {
+  if (columns.last - columns.first >= 60 || columns.first < -60 || columns.first > 60 ||
+      rows.last - rows.first > 200) {
     entry.state = State::kTooWide;
     return {};
   }

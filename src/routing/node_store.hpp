@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -84,7 +85,9 @@ class BucketQueue {
   [[nodiscard]] bool empty() const { return size_ == 0; }
 
   void push(float priority_m, Entry entry) {
-    const auto bucket = static_cast<std::size_t>(priority_m * scale_);
+    // What is dearer than the last bucket shares it: far beyond any hall, the order matters less
+    // than the memory.
+    const auto bucket = static_cast<std::size_t>(std::min(priority_m * scale_, kLastBucket));
     if (bucket >= buckets_.size()) buckets_.resize(bucket + bucket / 2 + 64);
     used_ = bucket >= used_ ? bucket + 1 : used_;
     lowest_ = bucket < lowest_ || size_ == 0 ? bucket : lowest_;
@@ -107,6 +110,8 @@ class BucketQueue {
   }
 
  private:
+  static constexpr float kLastBucket = 1'000'000.0F;
+
   float scale_;
   std::vector<std::vector<Entry>> buckets_;
   std::size_t used_ = 0;

@@ -3,6 +3,7 @@
 #include <bit>
 #include <cmath>
 #include <cstring>
+#include <numbers>
 #include <type_traits>
 
 namespace linewright {
@@ -10,7 +11,7 @@ namespace {
 
 constexpr std::string_view kMagic = "linewright routes\n";
 /// Raise it whenever the layout changes, or the search so that it finds other paths.
-constexpr std::uint32_t kVersion = 2;
+constexpr std::uint32_t kVersion = 3;
 
 /// FNV-1a, 64 bits, over little-endian bytes.
 class Hash {
@@ -145,6 +146,14 @@ bool read_path(Reader& in, const Pose2& start, Path& path) {
   return in.ok();
 }
 
+bool leads_to(const Path& path, const Pose2& goal) {
+  constexpr double kRounding = 1e-6;
+  const Pose2 end = path.end();
+  return distance_m(end.point(), goal.point()) <= kRounding &&
+         std::abs(std::remainder(end.heading_rad - goal.heading_rad, 2 * std::numbers::pi)) <=
+             kRounding;
+}
+
 bool read_tables(std::string_view payload, const std::vector<RouteRequest>& requests,
                  std::vector<RouteTable>& tables) {
   Reader in(payload);
@@ -157,6 +166,7 @@ bool read_tables(std::string_view payload, const std::vector<RouteRequest>& requ
       for (std::size_t to = 0; to < stops; ++to) {
         Path path;
         if (!read_path(in, request.stops[from].pose, path)) return false;
+        if (path.found() && !leads_to(path, request.stops[to].pose)) return false;
         table.set(from, to, std::move(path));
       }
     }

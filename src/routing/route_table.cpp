@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <atomic>
+#include <exception>
+#include <mutex>
 #include <thread>
 #include <utility>
 
@@ -34,14 +36,27 @@ class Builder {
     std::size_t threads =
         options_.threads == 0 ? std::thread::hardware_concurrency() : options_.threads;
     threads = std::clamp<std::size_t>(threads, 1, std::max<std::size_t>(1, jobs_.size()));
-    std::vector<std::thread> others;
-    for (std::size_t t = 1; t < threads; ++t) others.emplace_back([this] { work(); });
-    work();
-    for (std::thread& other : others) other.join();
+    {
+      std::vector<std::jthread> others;  // joined at the end of this block, whatever happens
+      for (std::size_t t = 1; t < threads; ++t) others.emplace_back([this] { work_safely(); });
+      work_safely();
+    }
+    if (failure_) std::rethrow_exception(failure_);
     return std::move(tables_);
   }
 
  private:
+  /// The first failure of any thread stops all of them and is thrown again by run().
+  void work_safely() {
+    try {
+      work();
+    } catch (...) {
+      const std::scoped_lock lock(failure_mutex_);
+      if (!failure_) failure_ = std::current_exception();
+      next_ = jobs_.size();
+    }
+  }
+
   void work() {
     std::vector<std::unique_ptr<PathPlanner>> planners(requests_.size());
     for (std::size_t i = next_++; i < jobs_.size(); i = next_++) {
@@ -49,6 +64,7 @@ class Builder {
       const RouteRequest& request = requests_[jobs_[i].request];
       if (!planner) {
         PathPlannerOptions options = request.options;
+        options.cancel = options_.cancel;
         options.most_expansions = std::min(options.most_expansions, options_.most_expansions);
         planner = make_path_planner(request.planner, map_, request.mover, options);
       }
@@ -86,6 +102,8 @@ class Builder {
   std::vector<RouteTable> tables_;
   std::vector<Job> jobs_;
   std::size_t total_ = 0;
+  std::exception_ptr failure_;
+  std::mutex failure_mutex_;
   std::atomic<std::size_t> next_{0};
   std::atomic<std::size_t> done_{0};
   std::atomic<std::size_t> expansions_{0};

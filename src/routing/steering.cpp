@@ -104,9 +104,14 @@ bool Steering::piece_free(const Pose2& from, const PathSegment& piece) const {
   if (piece.kind == Kind::kTurn && ignores_heading_) return true;
   const double size = std::abs(piece.amount);
   const double sign = piece.amount < 0.0 ? -1.0 : 1.0;
-  // Turned on the spot, the farthest corner moves as fast as on a way of its distance.
-  const double metres =
-      piece.kind == Kind::kTurn ? size * checker_.footprint().circumscribed_m() : size;
+  // What counts is how far the farthest corner moves, which on an arc is more than the pose does,
+  // and in a turn on the spot all there is.
+  const double body_m = checker_.footprint().circumscribed_m();
+  double metres = size;
+  if (piece.kind == Kind::kTurn) metres = size * body_m;
+  if (piece.kind == Kind::kLeft || piece.kind == Kind::kRight) {
+    metres = size * (1.0 + body_m / radius_m_);
+  }
   double gone = 0.0;
   while (gone < metres) {
     gone = std::min(metres, gone + kLook_m);

@@ -44,6 +44,15 @@ double raster_work(const GridFrame& frame, const Polygon& obstacle) {
   return rows * (static_cast<double>(obstacle.size()) + cells(r.x0_m, r.x1_m, frame.columns));
 }
 
+/// The last column and row may stick out of the hall: nobody drives there.
+OccupancyGrid walled_in(OccupancyGrid grid, const Rectangle& hall) {
+  const GridFrame& frame = grid.frame();
+  const double beyond_m = 2.0 * frame.cell_m;
+  grid.add_obstacle(corners_of({hall.x1_m, hall.x1_m + beyond_m, hall.y0_m, hall.y1_m + beyond_m}));
+  grid.add_obstacle(corners_of({hall.x0_m, hall.x1_m + beyond_m, hall.y1_m, hall.y1_m + beyond_m}));
+  return grid;
+}
+
 /// The free grid over `bounds`; reports one that is too large.
 std::optional<OccupancyGrid> free_grid(BuildState& state, const SourceNode& map,
                                        const SourceNode& bounds) {
@@ -54,7 +63,7 @@ std::optional<OccupancyGrid> free_grid(BuildState& state, const SourceNode& map,
   const double cells =
       std::ceil((hall->x1_m - hall->x0_m) / cell_m) * std::ceil((hall->y1_m - hall->y0_m) / cell_m);
   if (cells <= static_cast<double>(kMostGridCells)) {
-    return OccupancyGrid(GridFrame::covering(*hall, cell_m));
+    return walled_in(OccupancyGrid(GridFrame::covering(*hall, cell_m)), *hall);
   }
   const double fitting_m = std::sqrt(area_m2 / static_cast<double>(kMostGridCells));
   state.problems.error(mark_of(map, "cell_m"), fmt::format("the map: {}", too_many_cells(cells)),

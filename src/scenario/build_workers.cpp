@@ -81,6 +81,11 @@ void build_worker(BuildState& state, std::int32_t id, const SourceNode& node) {
   kind.min_leg_ticks = integer_or(node, "min_leg_ticks", kind.min_leg_ticks);
   if (const SourceNode* outline = node.find("outline_m")) {
     kind.outline_m = read_polygon(state, *outline, title).value_or(Polygon{});
+    if (!kind.outline_m.empty() && !contains(kind.outline_m, {})) {
+      state.problems.error(
+          outline->mark, fmt::format("{}: its outline does not lie around its pose [0, 0]", title),
+          "give the corners as seen from the point that stations name");
+    }
     if (node.find("footprint_m") != nullptr) {
       state.problems.error(outline->mark,
                            fmt::format("{}: it has both 'footprint_m' and 'outline_m'", title),

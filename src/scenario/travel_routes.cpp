@@ -66,7 +66,9 @@ std::vector<RouteTable> routes_of(BuildState& state, const std::shared_ptr<const
   const std::uint64_t key = route_key(*state.scenario.map->grid, requests);
   if (auto tables = cached(state, file, key, requests)) return std::move(*tables);
   std::vector<RouteTable> tables = built(state, map, requests);
-  state.routes_to_store = encode_routes(tables, key);
+  // With a budget of its own a load may have given up what another one would find.
+  const bool whole = state.options.most_route_work >= LoadOptions{}.most_route_work;
+  if (whole) state.routes_to_store = encode_routes(tables, key);
   return tables;
 }
 

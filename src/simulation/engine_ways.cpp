@@ -37,7 +37,7 @@ void Engine::set_out(std::int16_t id, std::int16_t to, Tick depart) {
     return;
   }
   const Departure way = departure(line_, worker, goal, state_.now, state_.closed);
-  if (way.leg.ticks < 0 && state_.closed != 0) return lose_way(id, to, depart);
+  if (way.leg.ticks < 0) return lose_way(id, to, depart);  // never without a way
   leave_way(id);
   follow(id, way, to, depart, least);
 }
@@ -127,7 +127,6 @@ void Engine::change_zones(Tick tick) {
   if (line_.zones.empty()) return;
   const ZoneSet before = state_.closed;
   state_.closed = closed_at(state_, tick);
-  if (state_.closed == before) return;
   while (!state_.events.empty() && state_.events.back().tick() == tick &&
          (state_.events.back().order() & ~kEventNumber) == kZoneEvent) {
     const std::uint32_t zone = state_.events.back().order() & kEventNumber;
@@ -137,6 +136,7 @@ void Engine::change_zones(Tick tick) {
           .a = static_cast<std::int32_t>(zone),
           .b = static_cast<std::int32_t>((state_.closed >> zone) & 1U)});
   }
+  if (state_.closed == before) return;
   for (std::size_t w = 0; w < state_.workers.size(); ++w) {
     answer_zones(static_cast<std::int16_t>(w), before);
   }

@@ -41,8 +41,11 @@ struct PathPlannerOptions {
   double greed = 1.1;
   /// Passes of smoothing, 0 ... 10.
   int smoothing_passes = 3;
-  /// Nodes after which a search gives up (kSearchLimit); about 20 bytes each.
+  /// Nodes after which a search gives up (kSearchLimit). Memory goes with the cells that are
+  /// reached: up to 16 bytes times `headings` each, 2 GB at most.
   std::size_t most_expansions = 3'000'000;
+  /// Looked at now and then: once requested, searches end with kSearchLimit. Changes no result.
+  const CancelToken* cancel = nullptr;
 };
 
 /// What the last search took.
