@@ -19,7 +19,10 @@ struct Section {
 
 using namespace linewright::bench;
 
-constexpr std::array kSections{Section{"random", measure_random_maps}};
+constexpr std::array kSections{
+    Section{"hall", measure_hall}, Section{"random", measure_random_maps},
+    Section{"planners", compare_planners}, Section{"curves", compare_curves},
+    Section{"zones", compare_closing}};
 
 }  // namespace
 

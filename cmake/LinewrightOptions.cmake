@@ -47,3 +47,19 @@ if(LINEWRIGHT_BUILD_FUZZERS)
   endif()
   add_compile_options(-fsanitize=fuzzer-no-link)
 endif()
+
+# linewright_use_ompl(<program>): OMPL and the macro LINEWRIGHT_HAS_OMPL, where it is installed. Only
+# tests and benchmarks use it, to compare with.
+function(linewright_use_ompl target)
+  find_package(ompl QUIET)
+  if(NOT OMPL_FOUND OR NOT TARGET ${target})
+    return()
+  endif()
+  # Its list of libraries also names some that Debian's package does not bring and nothing needs.
+  list(GET OMPL_LIBRARIES 0 library)
+  set(folders ${OMPL_INCLUDE_DIRS})
+  list(REMOVE_ITEM folders /usr/include)
+  target_include_directories(${target} SYSTEM PRIVATE ${folders})
+  target_link_libraries(${target} PRIVATE ${library})
+  target_compile_definitions(${target} PRIVATE LINEWRIGHT_HAS_OMPL)
+endfunction()

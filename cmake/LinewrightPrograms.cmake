@@ -47,6 +47,7 @@ function(linewright_add_benchmarks)
     target_link_libraries(${name}
       PRIVATE linewright_options ${layers} benchmark::benchmark benchmark::benchmark_main)
     target_compile_definitions(${name} PRIVATE LINEWRIGHT_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
+    linewright_use_ompl(${name})
     set_target_properties(${name} PROPERTIES
       RUNTIME_OUTPUT_DIRECTORY "${PROJECT_BINARY_DIR}/benchmarks")
   endforeach()

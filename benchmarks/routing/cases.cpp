@@ -14,8 +14,7 @@ Case random_case(std::int32_t size, std::size_t percent, const Mover& mover, std
   RandomStream random = RandomStream::derive(static_cast<std::uint64_t>(size), "hall", percent);
   Case made;
   made.name = fmt::format("{0} x {0}, {1} %", size, percent);
-  made.grid =
-      std::make_shared<const OccupancyGrid>(random_hall(random, size, size, 0.25, percent));
+  made.grid = std::make_shared<const OccupancyGrid>(random_hall(random, size, size, 0.25, percent));
   made.map = std::make_shared<const ClearanceMap>(*made.grid);
   made.mover = mover;
   const double radius_m = mover.footprint.circumscribed_m();

@@ -38,8 +38,7 @@ Run run(const Case& c, const Query& query) {
   const double warm_s = cpu_s() - start;
   const auto cell = c.map->frame().index(c.map->frame().cell_at(query.start.point()));
   const double bound_m = planner.goal_distance()->to_goal(cell) * c.map->frame().cell_m;
-  return {c.name,  query,  path.status,   planner.effort(),
-          cold_s, warm_s, path.metres(), bound_m};
+  return {c.name, query, path.status, planner.effort(), cold_s, warm_s, path.metres(), bound_m};
 }
 
 Reachable reachable(const Case& c, const Query& query) {
@@ -100,10 +99,9 @@ void print_slowest(std::vector<Run>& runs) {
   for (std::size_t i = 0; i < std::min<std::size_t>(10, runs.size()); ++i) {
     const Run& r = runs[i];
     rows.push_back({r.name, fmt::format("{:.1f}", 1e3 * r.warm_s),
-                    fmt::format("{}", r.effort.expansions),
-                    fmt::format("{}", r.effort.connections), name_of(r.status),
-                    fmt::format("{:.1f}", r.bound_m), fmt::format("{:.1f}", r.metres),
-                    text(r.query.start), text(r.query.goal)});
+                    fmt::format("{}", r.effort.expansions), fmt::format("{}", r.effort.connections),
+                    name_of(r.status), fmt::format("{:.1f}", r.bound_m),
+                    fmt::format("{:.1f}", r.metres), text(r.query.start), text(r.query.goal)});
   }
   fmt::print("\n");
   print_table(rows);
@@ -122,9 +120,9 @@ void measure_random_maps(bool thorough) {
   for (const Body& body : {Body{"robot 1.4 m x 0.9 m, radius 0.8 m", long_robot()},
                            Body{"disc 0.4 m, radius 0.6 m", round_robot()}}) {
     std::vector<Run> all;
-    std::vector<std::vector<std::string>> rows{{body.name, "found", "of disc's", "aisle",
-                                                "no aisle / manoeuvre / limit", "cold ms",
-                                                "warm ms", "metres / straight", "expansions", "M exp/s"}};
+    std::vector<std::vector<std::string>> rows{
+        {body.name, "found", "of disc's", "aisle", "no aisle / manoeuvre / limit", "cold ms",
+         "warm ms", "metres / straight", "expansions", "M exp/s"}};
     for (const std::int32_t size : {384, 1600}) {
       for (const std::size_t percent : {10, 20, 30}) {
         const std::size_t queries = (size == 384 ? 20U : 6U) * (thorough ? 5U : 1U);
