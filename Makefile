@@ -20,7 +20,7 @@ export CLICOLOR := 0
 endif
 
 .PHONY: help demo test asan tsan format format-check tidy bench fuzz clean
-.PHONY: deps-build deps-fuzz deps-lint
+.PHONY: deps-build deps-fuzz deps-lint deps-bench deps-test
 
 help:
 	@echo "make demo               build the command line tool, simulate the duct line, draw its Gantt chart"
@@ -39,6 +39,11 @@ deps-fuzz:
 	@tools/install_dependencies.sh build fuzz
 deps-lint:
 	@tools/install_dependencies.sh lint
+# OMPL is optional, and CMake looks for it only when it configures: so do `test` and `bench`.
+deps-bench:
+	@tools/install_dependencies.sh build bench
+deps-test:
+	@tools/install_dependencies.sh build fuzz bench
 
 # Ninja configures again by itself when a CMake file or the set of sources changes.
 build/%/build.ninja: CMakePresets.json | deps-build
@@ -55,7 +60,8 @@ demo: build/release/build.ninja
 	  --log out/duct_line.jsonl --gantt out/duct_line.html
 	$(SAY) "Done: open out/duct_line.html in a browser; out/duct_line.jsonl holds the event log"
 
-test: deps-fuzz build/release/build.ninja
+test: deps-test build/release/build.ninja
+	@cmake --preset release --log-level=WARNING >/dev/null
 	$(SAY) "Building everything"
 	@cmake --build --preset release --parallel $(JOBS)
 	$(SAY) "Running all tests"
@@ -82,7 +88,8 @@ fuzz: deps-fuzz
 	$(SAY) "Fuzzing for $(SECONDS) seconds"
 	@tools/fuzz.sh $(SECONDS)
 
-bench: build/release/build.ninja
+bench: deps-bench build/release/build.ninja
+	@cmake --preset release --log-level=WARNING >/dev/null
 	$(SAY) "Building the benchmarks"
 	@cmake --build --preset release --parallel $(JOBS)
 	$(SAY) "Running the benchmarks"

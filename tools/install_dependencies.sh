@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Installs the Debian/Ubuntu packages that are missing, and does nothing when none is.
-# usage: tools/install_dependencies.sh [build] [fuzz] [lint]     (default: build)
+# usage: tools/install_dependencies.sh [build] [fuzz] [lint] [bench]     (default: build)
 set -euo pipefail
 
 packages=()
@@ -20,8 +20,11 @@ for group in "${@:-build}"; do
       packages+=(clang-format clang-tidy)
       programs+=(clang-format clang-tidy)
       ;;
+    bench)  # to compare with; tests and benchmarks do without it where it is missing
+      packages+=(libompl-dev)
+      ;;
     *)
-      echo "unknown group '$group'; the groups are: build fuzz lint" >&2
+      echo "unknown group '$group'; the groups are: build fuzz lint bench" >&2
       exit 2
       ;;
   esac

@@ -27,7 +27,7 @@ Case random_case(std::int32_t size, std::size_t percent, const Mover& mover, std
 
 DuctHall duct_hall() {
   const Scenario scenario =
-      load_scenario(LINEWRIGHT_SOURCE_DIR "/tests/data/duct_line_on_grid.yaml",
+      load_scenario(LINEWRIGHT_SOURCE_DIR "/scenarios/duct_line_routed.yaml",
                     {.route_cache = false, .threads = 1});
   DuctHall hall;
   hall.grid = scenario.map->grid;

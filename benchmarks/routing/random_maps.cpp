@@ -125,7 +125,7 @@ void measure_random_maps(bool thorough) {
          "warm ms", "metres / straight", "expansions", "M exp/s"}};
     for (const std::int32_t size : {384, 1600}) {
       for (const std::size_t percent : {10, 20, 30}) {
-        const std::size_t queries = (size == 384 ? 20U : 6U) * (thorough ? 5U : 1U);
+        const std::size_t queries = (size == 384 ? 50U : 10U) * (thorough ? 8U : 1U);
         const Case c = random_case(size, percent, body.mover, queries);
         std::vector<Run> runs;
         for (const Query& query : c.queries) runs.push_back(run(c, query));

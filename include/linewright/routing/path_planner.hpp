@@ -26,7 +26,8 @@ struct PathPlannerOptions {
   /// Kept free around the footprint beside the exact check, metres, 0.001 ... 0.5. Smaller than
   /// half a millimetre and arcs may graze a corner between two looks.
   double clearance_m = 0.01;
-  /// Directions that the search tells apart, 16 ... 180. More: smoother, and slower in proportion.
+  /// Steps of a full turn, 16 ... 180. Arcs turn a divisor of them that takes half a cell at least;
+  /// numbers with many divisors (72, 96, 144) leave the finest choice. More: larger tables.
   int headings = 72;
   /// Factor on metres driven backwards, 1 ... 5. 1: backwards is as good as forwards.
   double reverse_penalty = 1.05;
