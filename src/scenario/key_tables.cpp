@@ -367,7 +367,8 @@ ShapePtr routes() {
   return mapping(
       "a mapping of options for planning routes",
       {key("clearance_m", real(0.001, 0.5), "Kept free around the footprint. Default 0.01"),
-       key("headings", integer(16, 180), "Directions the search tells apart. Default 72"),
+       key("headings", integer(16, 180),
+           "Steps of a full turn; arcs turn a divisor of them. Default 72"),
        key("reverse_penalty", real(1, 5), "Factor on metres driven backwards. Default 1.05"),
        key("direction_change_m", real(0, 5),
            "Metres that a change of direction counts. Default 0.1"),
