@@ -296,8 +296,9 @@ void DirectedSearch::finish(std::uint32_t id, double cost_m, const Connection& c
   if (last.curve.count == 0) last = connection_from(pose);
   if (!tools_.steering.free(pose, last.curve.segments())) return;
   for (const PathSegment& piece : last.curve.segments()) append_segment(path, piece);
-  // Over hundreds of metres the floats of the nodes drift away from the exact moves.
-  if (!tools_.steering.free(start_, path.segments)) return;
+  // Over hundreds of metres the floats of the nodes drift away from the exact moves: into the
+  // clearance, which is what it is for, but not farther.
+  if (!tools_.body_steering.free(start_, path.segments)) return;
   const double cost = cost_m + last.cost_m;
   if (cost < best_.cost_m) best_ = {cost, std::move(path)};
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -23,6 +24,8 @@ struct SearchTools {
         options(how),
         inscribed_m(mover.footprint.inscribed_m()),
         checker(map, mover.footprint.grown(options.clearance_m)),
+        body(map, mover.footprint.grown(std::min(options.clearance_m, 0.001))),
+        body_steering(body, mover, options),
         steering(checker, mover, options),
         moves(checker, mover, options) {}
   SearchTools(const SearchTools&) = delete;
@@ -32,6 +35,8 @@ struct SearchTools {
   PathPlannerOptions options;
   double inscribed_m;        ///< of the footprint itself
   CollisionChecker checker;  ///< with the clearance
+  CollisionChecker body;     ///< with as little as looking every 5 cm needs
+  Steering body_steering;    ///< asks `body`
   Steering steering;
   MoveTable moves;
 };
