@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <map>
 
+#include "linewright/allocation/advance.hpp"
 #include "linewright/allocation/allocator.hpp"
 #include "linewright/planning/episode.hpp"
 #include "linewright/planning/planner.hpp"

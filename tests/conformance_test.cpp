@@ -4,6 +4,7 @@
 
 #include <set>
 
+#include "linewright/allocation/advance.hpp"
 #include "linewright/allocation/allocator.hpp"
 #include "linewright/evaluation/event_log_writer.hpp"
 #include "linewright/evaluation/recorded_run.hpp"

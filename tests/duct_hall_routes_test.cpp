@@ -10,9 +10,8 @@ namespace linewright {
 namespace {
 
 TEST(DuctHallRoutes, AreAllThereAndNoneIsShorterThanTheBound) {
-  const Scenario scenario =
-      load_scenario(LINEWRIGHT_SOURCE_DIR "/scenarios/duct_line_routed.yaml",
-                    {.route_cache = false, .threads = 2});
+  const Scenario scenario = load_scenario(LINEWRIGHT_SOURCE_DIR "/scenarios/duct_line_routed.yaml",
+                                          {.route_cache = false, .threads = 2});
   std::size_t pairs = 0;
   for (const auto& kind : scenario.routes) {
     if (!kind) continue;

@@ -4,6 +4,7 @@
 #include <memory>
 #include <unordered_set>
 
+#include "linewright/allocation/advance.hpp"
 #include "linewright/allocation/allocator.hpp"
 #include "linewright/planning/episode.hpp"
 #include "linewright/planning/planner.hpp"

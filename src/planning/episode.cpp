@@ -1,24 +1,8 @@
 #include "linewright/planning/episode.hpp"
 
-#include <stdexcept>
+#include "linewright/allocation/advance.hpp"
 
 namespace linewright {
-
-void bind_joiner(const Simulator& simulator, SimulationState& state, Allocator& allocator,
-                 EventLog* log) {
-  const auto pending = simulator.pending_join(state);
-  if (!pending || !simulator.join(state, *pending, allocator.join(state, *pending), log)) {
-    throw std::logic_error("the allocator named nobody for a late joiner although one is free");
-  }
-}
-
-RunStatus advance_and_join(const Simulator& simulator, SimulationState& state, Allocator& allocator,
-                           EventLog* log) {
-  while (simulator.advance(state, log) == RunStatus::kJoin) {
-    bind_joiner(simulator, state, allocator, log);
-  }
-  return state.status;
-}
 
 RunStatus run_episode(const Simulator& simulator, SimulationState& state, const RunSetup& setup,
                       std::uint64_t seed, Planner& planner, Allocator& allocator, EventLog* log,

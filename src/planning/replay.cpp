@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "linewright/allocation/advance.hpp"
 #include "linewright/planning/episode.hpp"
 
 namespace linewright {

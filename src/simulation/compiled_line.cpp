@@ -6,6 +6,8 @@
 #include <string>
 #include <variant>
 
+#include "linewright/line/materials.hpp"
+
 namespace linewright {
 namespace {
 
@@ -160,12 +162,7 @@ void CompiledLine::lay_out() {
   layout.order = layout.carriers + size_of(line.carrier_kinds) * 2;
   layout.size = layout.order + 1;
 
-  std::map<std::string, std::int16_t> materials;
-  for (const Place& place : line.places) {
-    const std::string& of = place.of.empty() ? place.name : place.of;
-    const auto next = static_cast<std::int16_t>(materials.size());
-    place_material.push_back(materials.try_emplace(of, next).first->second);
-  }
+  place_material = materials_of(line).by_place;
   has_side_events =
       !line.zones.empty() || std::any_of(line.worker_kinds.begin(), line.worker_kinds.end(),
                                          [](const WorkerKind& kind) { return !kind.rest.empty(); });

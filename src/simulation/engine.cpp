@@ -7,7 +7,7 @@ namespace linewright {
 namespace {
 
 bool is_zone_event(const SimulationState::Event& event) {
-  return (event.order() & ~kEventNumber) == kZoneEvent;
+  return kind_of(event) == kZoneEvent;
 }
 
 }  // namespace
@@ -16,7 +16,7 @@ ZoneSet closed_at(const SimulationState& state, Tick tick) {
   ZoneSet closed = state.closed;
   for (auto event = state.events.rbegin(); event != state.events.rend(); ++event) {
     if (event->tick() > tick || !is_zone_event(*event)) break;
-    closed ^= ZoneSet{1} << (event->order() & kEventNumber);
+    closed ^= ZoneSet{1} << number_of(*event);
   }
   return closed;
 }
@@ -231,9 +231,8 @@ void Engine::process_tick(Tick tick) {
 }
 
 void Engine::handle(const SimulationState::Event& event) {
-  const std::uint32_t order = event.order();
-  const auto number = static_cast<std::int32_t>(order & kEventNumber);
-  switch (order & ~kEventNumber) {
+  const auto number = static_cast<std::int32_t>(number_of(event));
+  switch (kind_of(event)) {
     case kJoinEvent:
       begin_joined(static_cast<std::int16_t>(number));
       break;

@@ -6,23 +6,12 @@
 #include "compiled_line.hpp"
 #include "linewright/simulation/assignment.hpp"
 #include "linewright/simulation/event_log.hpp"
+#include "linewright/simulation/pending_event.hpp"
 #include "linewright/simulation/simulator.hpp"
 #include "linewright/simulation/state.hpp"
 #include "ways.hpp"
 
 namespace linewright {
-
-// The order of events within one tick: zones close and open, late joiners start, workers by number,
-// operations in file order, recoveries in file order, who has nothing to do leaves to rest
-// (docs/formats/scenario.md, Semantics 2). The number of what it is about is in the lower half.
-inline constexpr std::uint32_t kZoneEvent = 0;
-inline constexpr std::uint32_t kStartOfRun = 1U << 16;
-inline constexpr std::uint32_t kJoinEvent = 2U << 16;
-inline constexpr std::uint32_t kWorkerEvent = 3U << 16;
-inline constexpr std::uint32_t kOperationEvent = 4U << 16;
-inline constexpr std::uint32_t kRecoveryEvent = 5U << 16;
-inline constexpr std::uint32_t kRestEvent = 6U << 16;
-inline constexpr std::uint32_t kEventNumber = 0xffff;
 
 /// The zones that are closed once the zone events of `tick` have happened, none of an earlier tick
 /// being due.

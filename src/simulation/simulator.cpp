@@ -97,7 +97,11 @@ bool Simulator::assignable(const SimulationState& state, const Assignment& assig
 }
 
 std::int32_t Simulator::value(const SimulationState& state, Variable variable) const {
-  return state.values[static_cast<std::size_t>(compiled_->layout.index(variable))];
+  return state.values[index_of(variable)];
+}
+
+std::size_t Simulator::index_of(Variable variable) const {
+  return static_cast<std::size_t>(compiled_->layout.index(variable));
 }
 
 void Simulator::append_marking(const SimulationState& state,

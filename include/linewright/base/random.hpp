@@ -30,8 +30,13 @@ class RandomStream {
   /// Uniform in [0, 1) with 53 random bits.
   [[nodiscard]] double uniform();
 
+  /// Where the stream stands, to go on from there later.
+  using State = std::array<std::uint64_t, 4>;
+  [[nodiscard]] const State& state() const { return state_; }
+  void restore(const State& state) { state_ = state; }
+
  private:
-  std::array<std::uint64_t, 4> state_{};
+  State state_{};
 };
 
 }  // namespace linewright

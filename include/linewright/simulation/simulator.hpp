@@ -80,6 +80,9 @@ class Simulator {
   /// The value of a variable of the line now.
   [[nodiscard]] std::int32_t value(const SimulationState& state, Variable variable) const;
 
+  /// Where the variable stands in SimulationState::values, for those who read it often.
+  [[nodiscard]] std::size_t index_of(Variable variable) const;
+
   /// Appends every value that a condition or a rule can read and that can matter for the future:
   /// the marking, machines, who is free; counts of what has been done only where a condition reads
   /// them.

@@ -1,0 +1,61 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <string>
+
+#include "linewright/allocation/allocator.hpp"
+#include "linewright/environment/observation.hpp"
+#include "linewright/simulation/run_setup.hpp"
+#include "linewright/simulation/simulator.hpp"
+
+namespace linewright {
+
+/// Weights of the reward R = r_time + r_progress + r_goal (paper, eq. 12). The published runs used
+/// these values.
+struct RewardOptions {
+  double eta1 = 0.001;  ///< paid per tick since the last decision, >= 0
+  double eta2 = 1.0;    ///< won when the order is finished, paid when the run ends without; >= 0
+  double eta3 = 0.2;    ///< won for the whole order, in shares as it is finished, >= 0
+};
+
+/// What a decision led to.
+struct StepResult {
+  float reward = 0.0F;
+  bool ended = false;    ///< the run has ended: success, deadlock and horizon are all terminal
+  bool success = false;  ///< the order was finished within the horizon
+};
+
+/// The Markov decision process of the high-level agent (paper, Sec. 3.3.1): a state is what an
+/// ObservationEncoder shows of a run, an action is the next task (or to wait), a transition goes to
+/// the next decision. The allocator decides who does it. One Environment plays one run at a time.
+class Environment {
+ public:
+  /// The simulator must outlive the environment. Throws ScenarioError for an unknown allocator.
+  Environment(const Simulator& simulator, const std::string& allocator,
+              const RewardOptions& rewards);
+
+  /// Starts a new run and goes on to its first decision. Returns false when it ends without any.
+  bool reset(const RunSetup& setup, std::uint64_t seed);
+
+  /// Takes the decision and goes on to the next one or to the end of the run. The action is an
+  /// index into ObservationSpec::actions that is selectable now. A deadlock counts as what it is to
+  /// the floor: nothing moves until the horizon, and the time until then is paid for.
+  StepResult step(std::size_t action);
+
+  [[nodiscard]] const SimulationState& state() const { return state_; }
+
+  /// Ticks that the run took; of a failed one its horizon.
+  [[nodiscard]] Tick makespan() const;
+
+ private:
+  StepResult rewarded(Tick before, double progress_before);
+
+  const Simulator& simulator_;
+  std::unique_ptr<Allocator> allocator_;
+  RewardOptions rewards_;
+  SimulationState state_;
+};
+
+}  // namespace linewright
