@@ -16,28 +16,25 @@ bool holds(const Names& names, const std::string& name) {
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 
-/// The first name that one has and the other has not, or two that stand in another order.
-std::string difference(const Names& policy, const Names& line, const std::string& what) {
+/// The first name that one has and the other has not, or two that stand in another order. A name is
+/// called "{what} 'name'{owner}".
+std::string difference(const Names& policy, const Names& line, const std::string& what,
+                       const std::string& owner = "") {
   for (const std::string& name : line) {
-    if (!holds(policy, name)) {
-      return fmt::format("the line has {} {}, the policy has not", what, in_quotes(name));
-    }
+    if (holds(policy, name)) continue;
+    return fmt::format("the line has {} {}{}, the policy has not", what, in_quotes(name), owner);
   }
   for (const std::string& name : policy) {
-    if (!holds(line, name)) {
-      return fmt::format("the policy has {} {}, the line has not", what, in_quotes(name));
-    }
+    if (holds(line, name)) continue;
+    return fmt::format("the policy has {} {}{}, the line has not", what, in_quotes(name), owner);
   }
-  if (policy.size() != line.size()) {
-    return fmt::format("the line has {} names of a {}, the policy {}", line.size(), what,
-                       policy.size());
-  }
-  for (std::size_t i = 0; i < line.size(); ++i) {
+  for (std::size_t i = 0; i < std::min(line.size(), policy.size()); ++i) {
     if (policy[i] == line[i]) continue;
-    return fmt::format("{} {} of the line is {}, of the policy {}", what, i + 1, in_quotes(line[i]),
-                       in_quotes(policy[i]));
+    return fmt::format("{} {}{} is {} on the line, {} for the policy", what, i + 1, owner,
+                       in_quotes(line[i]), in_quotes(policy[i]));
   }
-  return {};
+  if (policy.size() == line.size()) return {};
+  return fmt::format("the line has a {}{} twice, or the policy has", what, owner);
 }
 
 /// "machine" for a token of the group "machines".
@@ -74,7 +71,7 @@ std::string group_difference(const TokenGroup& policy, const TokenGroup& line) {
     const bool own = line.encoder == TokenGroup::Encoder::kOwn && i < line.tokens.size();
     const std::string owner =
         own ? noun_of(line) + " " + in_quotes(line.tokens[i]) : in_quotes(line.name);
-    found = difference(policy.features[i], line.features[i], owner + ": number");
+    found = difference(policy.features[i], line.features[i], "number", " of " + owner);
     if (!found.empty()) return found;
   }
   return policy.features.size() == line.features.size()

@@ -186,7 +186,7 @@ Diagnostic complaint(const std::string& file, std::string message) {
           .line = 0,
           .column = 0,
           .message = std::move(message),
-          .hint = "the weights belong to another line or to other options"};
+          .hint = ""};
 }
 
 }  // namespace
@@ -221,7 +221,9 @@ void check_tensors(const ObservationSpec& spec, const NetworkOptions& options,
         complaint(file, fmt::format("the tensor {} {} belongs to no part of the network",
                                     in_quotes(name), shape_text(tensor.shape))));
   }
-  if (!found.empty()) throw ScenarioError(std::move(found));
+  if (found.empty()) return;
+  found.back().hint = "the weights belong to another line or to other options";
+  throw ScenarioError(std::move(found));
 }
 
 }  // namespace linewright::packed

@@ -78,20 +78,23 @@ class ReferenceNetwork {
                            const LayerNoise* noise = nullptr) const {
     const auto& weight = values(name + ".weight");
     const auto& bias = values(name + ".bias");
-    Row y(bias.size());
+    Row y(bias.begin(), bias.end());
+    for (std::size_t k = 0; k < x.size(); ++k) {
+      for (std::size_t c = 0; c < y.size(); ++c) y[c] += x[k] * weight[k * y.size() + c];
+    }
+    if (noise != nullptr) add_noise(y, x, name, *noise);
+    return y;
+  }
+
+  void add_noise(Row& y, const Row& x, const std::string& name, const LayerNoise& noise) const {
+    const auto& weight_sigma = values(name + ".weight_sigma");
+    const auto& bias_sigma = values(name + ".bias_sigma");
     for (std::size_t c = 0; c < y.size(); ++c) {
-      y[c] = bias[c];
-      if (noise != nullptr) y[c] += double{values(name + ".bias_sigma")[c]} * noise->out[c];
+      y[c] += double{bias_sigma[c]} * noise.out[c];
       for (std::size_t k = 0; k < x.size(); ++k) {
-        double w = weight[k * y.size() + c];
-        if (noise != nullptr) {
-          w += double{values(name + ".weight_sigma")[k * y.size() + c]} * noise->in[k] *
-               noise->out[c];
-        }
-        y[c] += x[k] * w;
+        y[c] += x[k] * weight_sigma[k * y.size() + c] * noise.in[k] * noise.out[c];
       }
     }
-    return y;
   }
 
   [[nodiscard]] Row norm(const Row& x, const std::string& name) const {
@@ -100,10 +103,11 @@ class ReferenceNetwork {
     for (const double value : x) mean += value / count;
     double variance = 0.0;
     for (const double value : x) variance += (value - mean) * (value - mean) / count;
+    const auto& weight = values(name + ".weight");
+    const auto& bias = values(name + ".bias");
     Row y(x.size());
     for (std::size_t c = 0; c < y.size(); ++c) {
-      y[c] = (x[c] - mean) / std::sqrt(variance + 1e-5) * values(name + ".weight")[c] +
-             values(name + ".bias")[c];
+      y[c] = (x[c] - mean) / std::sqrt(variance + 1e-5) * weight[c] + bias[c];
     }
     return y;
   }
