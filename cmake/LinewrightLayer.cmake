@@ -2,6 +2,7 @@
 #
 # Makes the library `linewright_<layer>` from src/<layer>/*.cpp (header-only if there are none) and
 # the test program `<layer>_test` from src/<layer>/*_test.cpp. A layer without any file is skipped.
+# Sources named x_avx2.cpp and x_avx512.cpp are compiled for x86-64 processors with those instructions.
 # The names of all layers made so far are in the global property LINEWRIGHT_LAYERS.
 
 include(GoogleTest)
@@ -24,6 +25,7 @@ function(linewright_layer)
 
   set(target linewright_${layer_NAME})
   if(sources)
+    linewright_choose_instructions(${sources})
     add_library(${target} STATIC ${sources} ${headers})
     set(scope PUBLIC)
     target_link_libraries(${target} PRIVATE linewright_options)
@@ -44,6 +46,25 @@ function(linewright_layer)
     linewright_add_test(${layer_NAME}_test ${tests})
     target_link_libraries(${layer_NAME}_test PRIVATE ${target})
   endif()
+endfunction()
+
+# Gives x_avx2.cpp and x_avx512.cpp among the sources the instructions that their names promise. On
+# other processors than x86-64 they are compiled as all others are.
+function(linewright_choose_instructions)
+  if(NOT CMAKE_SYSTEM_PROCESSOR MATCHES "^(x86_64|AMD64|amd64)$")
+    return()
+  endif()
+  set(avx2 -mavx2 -mfma)
+  set(avx512 -mavx512f -mavx512dq -mfma)
+  # GCC 12 takes its own header for AVX-512 to read uninitialised values (GCC bug 105593).
+  if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+    list(APPEND avx512 -Wno-maybe-uninitialized)
+  endif()
+  foreach(source IN LISTS ARGN)
+    if(source MATCHES "_(avx2|avx512)\\.cpp$")
+      set_source_files_properties("${source}" PROPERTIES COMPILE_OPTIONS "${${CMAKE_MATCH_1}}")
+    endif()
+  endforeach()
 endfunction()
 
 # linewright_add_test(<program> <source>...): a GoogleTest program whose tests run in the repository
