@@ -132,12 +132,16 @@ void PrioritizedReplayBuffer::sample(std::size_t count, double beta, RandomStrea
   weigh(beta, batch);
 }
 
-void PrioritizedReplayBuffer::draw(std::size_t count, RandomStream& random,
-                                   ReplayBatch& batch) const {
+void PrioritizedReplayBuffer::draw(std::size_t count, RandomStream& random, ReplayBatch& batch) {
   const double part = tree_.total() / static_cast<double>(count);
+  prefixes_.resize(count);
+  leaves_.resize(count);
   for (std::size_t i = 0; i < count; ++i) {
-    const double prefix = (static_cast<double>(i) + random.uniform()) * part;
-    batch.index[i] = index_of(tree_.find(prefix));
+    prefixes_[i] = (static_cast<double>(i) + random.uniform()) * part;
+  }
+  tree_.find(prefixes_, leaves_);
+  for (std::size_t i = 0; i < count; ++i) {
+    batch.index[i] = index_of(leaves_[i]);
     storage_->prefetch(batch.index[i]);
   }
 }

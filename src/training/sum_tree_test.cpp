@@ -65,6 +65,14 @@ TEST(SumTree, NeverFindsALeafWithoutWeight) {
   }
 }
 
+TEST(SumTree, APrefixThatIsNoNumberStaysInside) {
+  SumTree tree(100);
+  EXPECT_LT(tree.find(1.0), 100U);  // nothing has a weight
+  tree.set(70, 1.0F);
+  EXPECT_EQ(tree.find(std::nan("")), 70U);
+  EXPECT_EQ(tree.find(-1.0), 70U);
+}
+
 TEST(SumTree, OneLeafWithWeightIsAlwaysFound) {
   SumTree tree(300);
   tree.set(123, 0.5F);
@@ -92,6 +100,23 @@ TEST(SumTree, IsAFunctionOfItsLeavesAlone) {
   for (int i = 0; i < 5000; ++i) {
     const double prefix = random.uniform() * fresh.total();
     ASSERT_EQ(worn.find(prefix), fresh.find(prefix));
+  }
+}
+
+TEST(SumTree, FindsManyAtOnceLikeOneByOne) {
+  RandomStream random(4);
+  for (const std::size_t count : {1, 40, 5000}) {
+    SumTree tree(count);
+    tree.set_range(0, random_weights(count, random));
+    tree.set(count / 2, 1.0F);
+    std::vector<double> prefixes(1000);
+    for (double& prefix : prefixes) prefix = random.uniform() * tree.total();
+    std::vector<double> used = prefixes;
+    std::vector<std::size_t> leaves(prefixes.size());
+    tree.find(used, leaves);
+    for (std::size_t i = 0; i < prefixes.size(); ++i) {
+      ASSERT_EQ(leaves[i], tree.find(prefixes[i]));
+    }
   }
 }
 

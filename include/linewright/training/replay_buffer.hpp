@@ -121,7 +121,7 @@ class PrioritizedReplayBuffer {
   void evict_oldest();
   [[nodiscard]] std::size_t leaf_of(std::uint64_t index) const { return index % tree_.size(); }
   [[nodiscard]] std::uint64_t index_of(std::size_t leaf) const;
-  void draw(std::size_t count, RandomStream& random, ReplayBatch& batch) const;
+  void draw(std::size_t count, RandomStream& random, ReplayBatch& batch);
   void weigh(double beta, ReplayBatch& batch) const;
   [[nodiscard]] float leaf_weight(double scaled_priority, std::uint32_t copies) const;
 
@@ -133,8 +133,9 @@ class PrioritizedReplayBuffer {
   std::uint64_t next_ = 0;
   std::size_t copies_ = 0;
   double largest_ = 1.0;             ///< running maximum of priority^alpha
-  std::vector<std::size_t> leaves_;  ///< of a batch of updates
+  std::vector<std::size_t> leaves_;  ///< of a batch
   std::vector<float> weights_;
+  std::vector<double> prefixes_;
 };
 
 }  // namespace linewright
