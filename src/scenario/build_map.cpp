@@ -9,7 +9,7 @@
 #include "limits.hpp"
 #include "linewright/base/files.hpp"
 #include "linewright/map/map_file.hpp"
-#include "values.hpp"
+#include "linewright/scenario/values.hpp"
 
 namespace linewright::loading {
 namespace {

@@ -4,8 +4,8 @@
 #include <utility>
 
 #include "build_state.hpp"
+#include "linewright/scenario/values.hpp"
 #include "positions.hpp"
-#include "values.hpp"
 
 namespace linewright::loading {
 namespace {

@@ -5,8 +5,8 @@
 
 #include "build_state.hpp"
 #include "limits.hpp"
+#include "linewright/scenario/values.hpp"
 #include "positions.hpp"
-#include "values.hpp"
 
 namespace linewright::loading {
 namespace {

@@ -9,8 +9,8 @@
 
 #include "linewright/scenario/load.hpp"
 #include "linewright/scenario/scenario.hpp"
+#include "linewright/scenario/source_node.hpp"
 #include "names.hpp"
-#include "source_node.hpp"
 
 namespace linewright::loading {
 

@@ -5,7 +5,7 @@
 
 #include "areas.hpp"
 #include "build_state.hpp"
-#include "values.hpp"
+#include "linewright/scenario/values.hpp"
 
 namespace linewright::loading {
 namespace {

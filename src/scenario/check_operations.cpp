@@ -5,9 +5,9 @@
 #include <utility>
 
 #include "build_state.hpp"
+#include "linewright/scenario/values.hpp"
 #include "machine_motion.hpp"
 #include "task_actions.hpp"
-#include "values.hpp"
 
 namespace linewright::loading {
 namespace {

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "build_state.hpp"
+#include "linewright/scenario/values.hpp"
 #include "task_actions.hpp"
-#include "values.hpp"
 
 namespace linewright::loading {
 namespace {

@@ -6,8 +6,8 @@
 
 #include "build_state.hpp"
 #include "limits.hpp"
+#include "linewright/scenario/values.hpp"
 #include "task_actions.hpp"
-#include "values.hpp"
 
 namespace linewright::loading {
 namespace {

@@ -5,7 +5,7 @@
 
 #include "build_state.hpp"
 #include "limits.hpp"
-#include "values.hpp"
+#include "linewright/scenario/values.hpp"
 
 namespace linewright::loading {
 namespace {

@@ -10,7 +10,7 @@
 
 #include "condition_tokens.hpp"
 #include "limits.hpp"
-#include "problems.hpp"
+#include "linewright/scenario/problems.hpp"
 
 namespace linewright::loading {
 namespace {

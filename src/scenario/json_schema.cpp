@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "linewright/scenario/load.hpp"
-#include "shape.hpp"
+#include "scenario_shape.hpp"
 
 namespace linewright {
 namespace {

@@ -4,108 +4,16 @@
 
 #include "limits.hpp"
 #include "linewright/line/way_finder.hpp"
-#include "shape.hpp"
+#include "linewright/scenario/shape_makers.hpp"
+#include "scenario_shape.hpp"
 
 namespace linewright::loading {
 namespace {
 
 using Kind = Shape::Kind;
 
-ShapePtr make(Shape shape) { return std::make_shared<const Shape>(std::move(shape)); }
-
-ShapePtr scalar(Kind kind, std::string expected) {
-  Shape shape;
-  shape.kind = kind;
-  shape.expected = std::move(expected);
-  return make(std::move(shape));
-}
-
-ShapePtr integer(std::int32_t min, std::int32_t max) {
-  Shape shape;
-  shape.kind = Kind::kInteger;
-  shape.expected = fmt::format("a whole number from {} to {}", min, max);
-  shape.min = min;
-  shape.max = max;
-  return make(std::move(shape));
-}
-
-ShapePtr real(double min, double max) {
-  Shape shape;
-  shape.kind = Kind::kReal;
-  shape.expected = fmt::format("a number from {} to {}", min, max);
-  shape.min = min;
-  shape.max = max;
-  return make(std::move(shape));
-}
-
-ShapePtr choice(std::vector<std::string> choices) {
-  Shape shape;
-  shape.kind = Kind::kChoice;
-  for (const std::string& c : choices) shape.expected += (shape.expected.empty() ? "" : " or ") + c;
-  shape.choices = std::move(choices);
-  return make(std::move(shape));
-}
-
-ShapePtr list(ShapePtr of, std::string expected, std::size_t min = 0,
-              std::size_t max = kMostEntries) {
-  Shape shape;
-  shape.kind = Kind::kList;
-  shape.expected = std::move(expected);
-  shape.alternatives = {std::move(of)};
-  shape.min_items = min;
-  shape.max_items = max;
-  return make(std::move(shape));
-}
-
-ShapePtr mapping(std::string expected, std::vector<Field> fields) {
-  Shape shape;
-  shape.kind = Kind::kMapping;
-  shape.expected = std::move(expected);
-  shape.fields = std::move(fields);
-  return make(std::move(shape));
-}
-
-/// A mapping from names to values; `noun` when its entries are things of their own in messages.
-ShapePtr names_to(ShapePtr others, std::string expected, std::string noun = {},
-                  std::size_t most = kMostEntries) {
-  Shape shape;
-  shape.kind = Kind::kMapping;
-  shape.expected = std::move(expected);
-  shape.others = std::move(others);
-  shape.noun = std::move(noun);
-  shape.max_entries = most;
-  return make(std::move(shape));
-}
-
 ShapePtr section(const std::string& noun, ShapePtr entry, std::size_t most = kMostEntries) {
   return names_to(std::move(entry), fmt::format("a mapping from names to {}s", noun), noun, most);
-}
-
-/// Mappings told apart by the first key of their fields.
-ShapePtr variant(std::string noun, std::string expected, std::vector<ShapePtr> alternatives) {
-  Shape shape;
-  shape.kind = Kind::kVariant;
-  shape.noun = std::move(noun);
-  shape.expected = std::move(expected);
-  shape.alternatives = std::move(alternatives);
-  return make(std::move(shape));
-}
-
-ShapePtr one_of(std::vector<ShapePtr> alternatives) {
-  Shape shape;
-  shape.kind = Kind::kOneOf;
-  for (const ShapePtr& s : alternatives) {
-    shape.expected += (shape.expected.empty() ? "" : ", or ") + s->expected;
-  }
-  shape.alternatives = std::move(alternatives);
-  return make(std::move(shape));
-}
-
-Field key(std::string name, ShapePtr shape, std::string about) {
-  return {std::move(name), std::move(shape), std::move(about), false};
-}
-Field required(std::string name, ShapePtr shape, std::string about) {
-  return {std::move(name), std::move(shape), std::move(about), true};
 }
 
 ShapePtr name(const std::string& what) { return scalar(Kind::kName, what); }

@@ -5,11 +5,11 @@
 
 #include "build_state.hpp"
 #include "linewright/base/hash.hpp"
-#include "shape.hpp"
-#include "shape_check.hpp"
-#include "source_files.hpp"
+#include "linewright/scenario/shape_check.hpp"
+#include "linewright/scenario/source_files.hpp"
+#include "linewright/scenario/yaml_reader.hpp"
+#include "scenario_shape.hpp"
 #include "templates.hpp"
-#include "yaml_reader.hpp"
 
 namespace linewright {
 namespace {

@@ -7,8 +7,8 @@
 #include <numeric>
 #include <utility>
 
-#include "values.hpp"
-#include "yaml_reader.hpp"
+#include "linewright/scenario/values.hpp"
+#include "linewright/scenario/yaml_reader.hpp"
 
 namespace linewright::loading {
 namespace {

@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-#include "source_node.hpp"
+#include "linewright/scenario/source_node.hpp"
 
 namespace linewright::loading {
 

@@ -1,4 +1,4 @@
-#include "problems.hpp"
+#include "linewright/scenario/problems.hpp"
 
 #include <fmt/format.h>
 

@@ -3,7 +3,7 @@
 #include <functional>
 #include <string>
 
-#include "problems.hpp"
+#include "linewright/scenario/problems.hpp"
 
 namespace linewright::loading {
 

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "values.hpp"
+#include "linewright/scenario/values.hpp"
 
 namespace linewright::loading {
 namespace {

@@ -1,4 +1,4 @@
-#include "shape_check.hpp"
+#include "linewright/scenario/shape_check.hpp"
 
 #include <fmt/format.h>
 
@@ -8,7 +8,7 @@
 #include <string_view>
 #include <utility>
 
-#include "values.hpp"
+#include "linewright/scenario/values.hpp"
 
 namespace linewright::loading {
 namespace {
@@ -31,17 +31,18 @@ std::string described(const SourceNode& node) {
   return "empty";
 }
 
-/// Where in the scenario the check is: the entry's title, and the keys below it.
+/// Where in the file the check is: the entry's title, and the keys below it.
 struct Location {
+  std::string whole;  ///< "the scenario"
   std::string title;  ///< "operation 'weld'"; empty outside of named entries
   std::string path;   ///< "homing.takes"
 
   [[nodiscard]] Location inside(const std::string& key) const {
-    return {title, path.empty() ? key : path + "." + key};
+    return {whole, title, path.empty() ? key : path + "." + key};
   }
   /// "operation 'weld': 'takes'", to be followed by what is wrong with it.
   [[nodiscard]] std::string subject() const {
-    if (path.empty()) return title.empty() ? "the scenario" : title;
+    if (path.empty()) return title.empty() ? whole : title;
     return title.empty() ? fmt::format("'{}'", path) : fmt::format("{}: '{}'", title, path);
   }
   [[nodiscard]] std::string prefix() const {
@@ -204,8 +205,9 @@ class ShapeChecker {
       return false;
     }
     const Location inside =
-        shape.noun.empty() ? where.inside(entry.key)
-                           : Location{fmt::format("{} {}", shape.noun, in_quotes(entry.key)), ""};
+        shape.noun.empty()
+            ? where.inside(entry.key)
+            : Location{where.whole, fmt::format("{} {}", shape.noun, in_quotes(entry.key)), ""};
     check(entry.value, *shape.others, inside);
     return true;
   }
@@ -321,8 +323,9 @@ class ShapeChecker {
 
 }  // namespace
 
-void check_shape(SourceNode& root, const Shape& shape, Problems& problems) {
-  ShapeChecker(problems).check(root, shape, {});
+void check_shape(SourceNode& root, const Shape& shape, Problems& problems,
+                 const std::string& whole) {
+  ShapeChecker(problems).check(root, shape, {whole, "", ""});
 }
 
 }  // namespace linewright::loading

@@ -1,4 +1,4 @@
-#include "source_files.hpp"
+#include "linewright/scenario/source_files.hpp"
 
 #include <fmt/format.h>
 
@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "linewright/base/files.hpp"
-#include "yaml_reader.hpp"
+#include "linewright/scenario/yaml_reader.hpp"
 
 namespace linewright::loading {
 namespace {
@@ -53,7 +53,7 @@ std::optional<SourceNode> take_extends(SourceNode& root) {
 SourceNode on_base(SourceNode root, const SourceNode& extends, const std::string& file, Chain chain,
                    Problems& problems) {
   if (!extends.is_scalar() || extends.text.empty()) {
-    problems.error(extends.mark, "'extends' must be the name of a scenario file",
+    problems.error(extends.mark, "'extends' must be the name of a file",
                    "write: extends: other.yaml");
     return root;
   }

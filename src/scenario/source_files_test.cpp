@@ -1,11 +1,11 @@
-#include "source_files.hpp"
+#include "linewright/scenario/source_files.hpp"
 
 #include <gtest/gtest.h>
 
 #include <string>
 
+#include "linewright/scenario/yaml_reader.hpp"
 #include "problems_of.hpp"
-#include "yaml_reader.hpp"
 
 namespace linewright::loading {
 namespace {

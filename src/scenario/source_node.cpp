@@ -1,4 +1,4 @@
-#include "source_node.hpp"
+#include "linewright/scenario/source_node.hpp"
 
 #include <algorithm>
 #include <utility>

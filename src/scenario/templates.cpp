@@ -9,8 +9,8 @@
 #include <string>
 #include <utility>
 
+#include "linewright/scenario/yaml_reader.hpp"
 #include "names.hpp"
-#include "yaml_reader.hpp"
 
 namespace linewright::loading {
 namespace {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "source_node.hpp"
+#include "linewright/scenario/source_node.hpp"
 
 namespace linewright::loading {
 

@@ -4,8 +4,8 @@
 
 #include <string>
 
+#include "linewright/scenario/yaml_reader.hpp"
 #include "problems_of.hpp"
-#include "yaml_reader.hpp"
 
 namespace linewright::loading {
 namespace {

@@ -8,8 +8,8 @@
 
 #include "build_state.hpp"
 #include "linewright/routing/path_planner.hpp"
+#include "linewright/scenario/values.hpp"
 #include "needed_ways.hpp"
-#include "values.hpp"
 
 namespace linewright::loading {
 namespace {

@@ -1,4 +1,4 @@
-#include "values.hpp"
+#include "linewright/scenario/values.hpp"
 
 #include <charconv>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "yaml_reader.hpp"
+#include "linewright/scenario/yaml_reader.hpp"
 
 #include <fmt/format.h>
 #include <yaml-cpp/eventhandler.h>
@@ -125,7 +125,7 @@ class TreeBuilder : public YAML::EventHandler {
     if (weight_ <= kMaxWeight) return;
     throw Refused{mark,
                   fmt::format("the file has more than {} values, aliases written out", kMaxWeight),
-                  "make the line smaller"};
+                  "make the file smaller"};
   }
 
   static void refuse_tag(const std::string& tag, SourceMark mark) {
@@ -183,7 +183,7 @@ class TreeBuilder : public YAML::EventHandler {
 
   [[noreturn]] static void refuse_depth(SourceMark mark) {
     throw Refused{mark, fmt::format("more than {} levels of nesting", kMaxDepth),
-                  "nothing in a scenario is that deep; count the brackets"};
+                  "no file needs that many; count the brackets"};
   }
 
   [[noreturn]] static void refuse_key(SourceMark mark) {
@@ -212,7 +212,7 @@ void refuse_other_than_text(std::string_view text, int file) {
   if (text.size() > kMaxFileBytes) {
     throw Refused{{file, 0, 0},
                   fmt::format("the file is larger than {} bytes", kMaxFileBytes),
-                  "is this a scenario?"};
+                  "is this the right file?"};
   }
   const std::size_t bad = first_not_text(text);
   if (bad == text.size()) return;
@@ -232,12 +232,12 @@ SourceNode parse(std::string_view text, int file, Problems& problems) {
   YAML::Parser parser(stream);
   TreeBuilder builder(file, problems);
   if (!parser.HandleNextDocument(builder)) {
-    throw Refused{{file, 0, 0}, "the file is empty", "see docs/formats/scenario.md"};
+    throw Refused{{file, 0, 0}, "the file is empty", "is this the right file?"};
   }
   TreeBuilder second(file, problems);
   if (parser.HandleNextDocument(second)) {
     throw Refused{second.take_root().mark, "the file holds a second YAML document",
-                  "one file, one scenario: remove the line `---`"};
+                  "one file holds one: remove the line `---`"};
   }
   return builder.take_root();
 }

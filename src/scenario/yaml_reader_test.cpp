@@ -1,4 +1,4 @@
-#include "yaml_reader.hpp"
+#include "linewright/scenario/yaml_reader.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>

@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <string_view>
 
-#include "source_node.hpp"
+#include "linewright/scenario/source_node.hpp"
 
 namespace linewright::loading {
 

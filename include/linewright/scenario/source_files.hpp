@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "source_node.hpp"
+#include "linewright/scenario/source_node.hpp"
 
 namespace linewright::loading {
 

@@ -19,8 +19,8 @@ struct Field {
   bool required = false;
 };
 
-/// What a value may look like. One table of shapes (key_tables.cpp) is what the loader checks files
-/// against and what the JSON Schema is made from.
+/// What a value of a YAML file may look like. A format is one table of shapes, which files are
+/// checked against (shape_check.hpp) and which schemas are made from.
 struct Shape {
   enum class Kind : std::uint8_t {
     kText,  ///< any scalar
@@ -51,8 +51,5 @@ struct Shape {
   std::size_t min_items = 0;
   std::size_t max_items = 1000;
 };
-
-/// The shape of a whole scenario file, templates written out.
-[[nodiscard]] const Shape& scenario_shape();
 
 }  // namespace linewright::loading

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "problems.hpp"
+#include "linewright/scenario/problems.hpp"
 
 namespace linewright::loading {
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-#include "source_node.hpp"
+#include "linewright/scenario/source_node.hpp"
 
 namespace linewright::loading {
 
