@@ -3,7 +3,8 @@
 # Makes the library `linewright_<layer>` from src/<layer>/*.cpp (header-only if there are none) and
 # the test program `<layer>_test` from src/<layer>/*_test.cpp. A layer without any file is skipped.
 # Sources named x_avx2.cpp and x_avx512.cpp are compiled for x86-64 processors with those instructions.
-# The names of all layers made so far are in the global property LINEWRIGHT_LAYERS.
+# The names of all layers made so far, but of those that need LibTorch, are in the global property
+# LINEWRIGHT_LAYERS. A layer is skipped where one of its libraries is missing.
 
 include(GoogleTest)
 
@@ -13,6 +14,12 @@ function(linewright_layer)
     message(FATAL_ERROR "linewright_layer: bad arguments: ${layer_UNPARSED_ARGUMENTS}")
   endif()
 
+  foreach(library IN LISTS layer_LIBRARIES)
+    if(NOT TARGET ${library})
+      message(STATUS "Layer ${layer_NAME}: skipped, there is no ${library}")
+      return()
+    endif()
+  endforeach()
   file(GLOB headers CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/include/linewright/${layer_NAME}/*.hpp")
   file(GLOB sources CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/src/${layer_NAME}/*.cpp")
   set(tests ${sources})
@@ -40,7 +47,9 @@ function(linewright_layer)
       target_link_libraries(${target} ${scope} linewright_${lower})
     endif()
   endforeach()
-  set_property(GLOBAL APPEND PROPERTY LINEWRIGHT_LAYERS ${target})
+  if(NOT "Torch::Torch" IN_LIST layer_LIBRARIES)  # it costs every program 0.4 s at its start
+    set_property(GLOBAL APPEND PROPERTY LINEWRIGHT_LAYERS ${target})
+  endif()
 
   if(LINEWRIGHT_BUILD_TESTS AND tests)
     linewright_add_test(${layer_NAME}_test ${tests})

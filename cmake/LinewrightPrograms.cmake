@@ -1,4 +1,4 @@
-# The programs above the layers. Each links all layers and is skipped while it has no sources.
+# The programs above the layers. Each is skipped while it has no sources.
 
 # apps/cli/*.cpp -> the command line tool `linewright` at the top of the build folder.
 function(linewright_add_cli)
@@ -12,6 +12,28 @@ function(linewright_add_cli)
   target_link_libraries(linewright PRIVATE linewright_options ${layers} CLI11::CLI11)
   target_compile_definitions(linewright PRIVATE LINEWRIGHT_VERSION="${PROJECT_VERSION}")
   set_target_properties(linewright PROPERTIES RUNTIME_OUTPUT_DIRECTORY "${PROJECT_BINARY_DIR}")
+endfunction()
+
+# apps/trainer/*.cpp -> `linewright-train` beside it, where the layer `learning` is built. It offers its
+# own sgemm_ to LibTorch, so its symbols must be visible to libraries.
+function(linewright_add_trainer)
+  file(GLOB sources CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/apps/trainer/*.cpp")
+  if(NOT TARGET linewright_learning OR NOT sources)
+    return()
+  endif()
+  get_property(layers GLOBAL PROPERTY LINEWRIGHT_LAYERS)
+  add_executable(linewright-train ${sources})
+  target_link_libraries(linewright-train
+    PRIVATE linewright_options linewright_learning ${layers} CLI11::CLI11)
+  target_compile_definitions(linewright-train PRIVATE LINEWRIGHT_VERSION="${PROJECT_VERSION}")
+  set_target_properties(linewright-train PROPERTIES
+    RUNTIME_OUTPUT_DIRECTORY "${PROJECT_BINARY_DIR}" ENABLE_EXPORTS ON)
+  find_library(LINEWRIGHT_DNNL dnnl)
+  find_path(LINEWRIGHT_DNNL_INCLUDE oneapi/dnnl/dnnl.h)
+  if(LINEWRIGHT_DNNL AND LINEWRIGHT_DNNL_INCLUDE)
+    target_link_libraries(linewright-train PRIVATE "${LINEWRIGHT_DNNL}")
+    target_compile_definitions(linewright-train PRIVATE LINEWRIGHT_HAS_DNNL)
+  endif()
 endfunction()
 
 # tests/**/*.cpp -> `repository_test`; LINEWRIGHT_CLI is the path of the command line tool.

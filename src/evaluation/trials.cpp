@@ -20,7 +20,9 @@ class Bench {
  public:
   Bench(const Simulator& simulator, const Configuration& configuration, std::uint64_t seed)
       : simulator_(simulator),
-        planner_(PlannerRegistry::make(configuration.planner, simulator)),
+        planner_(configuration.make_planner
+                     ? configuration.make_planner(simulator)
+                     : PlannerRegistry::make(configuration.planner, simulator)),
         allocator_(make_allocator(configuration.allocator, simulator)),
         seed_(seed) {}
 

@@ -8,6 +8,7 @@
 
 #include "linewright/base/diagnostic.hpp"
 #include "linewright/base/random.hpp"
+#include "linewright/planning/policy_planner.hpp"
 
 namespace linewright {
 namespace {
@@ -101,6 +102,8 @@ const std::vector<PlannerRegistry::Entry>& PlannerRegistry::entries() {
       {"random", "", "uniform over the selectable tasks"},
       {"first", "", "the selectable task with the lowest number"},
       {"priority", "1,2,8,7,...", "the first selectable task of the list (numbers or names)"},
+      {"policy", "FILE",
+       "what a trained policy rates highest (a file that `linewright train` wrote)"},
   };
   return all;
 }
@@ -111,6 +114,11 @@ std::unique_ptr<Planner> PlannerRegistry::make(std::string_view spec, const Simu
   const std::string_view rest = spec.substr(std::min(colon + 1, spec.size()));
   if (name == "priority") {
     return std::make_unique<PriorityPlanner>(parse_priority(simulator.line(), rest));
+  }
+  if (name == "policy") {
+    if (!rest.empty()) return make_policy_planner(std::string(rest), simulator);
+    throw ScenarioError({}, "policy: the file is missing",
+                        "write policy:policies/NAME.safetensors");
   }
   std::vector<std::string> names;
   for (const Entry& entry : entries()) names.push_back(entry.name);

@@ -36,7 +36,7 @@ TEST(TrainingOptions, AreTheDefaultsWhereNothingIsGiven) {
 TEST(TrainingOptions, ReadBackWhatTheyWrite) {
   TrainingOptions options;
   options.algorithm = {.name = "x.y_z-1", .kind = AlgorithmSettings::Kind::kPpo};
-  options.network.query = NetworkSettings::Query::kSingle;
+  options.network.query = NetworkOptions::Query::kSingle;
   options.network.noisy = false;
   options.reward.eta1 = 0.1 + 0.2;  // needs all 17 digits
   options.optimizer.learning_rate = 1e-9;
@@ -47,7 +47,7 @@ TEST(TrainingOptions, ReadBackWhatTheyWrite) {
   const TrainingOptions again = from_text(to_yaml(options));
   EXPECT_EQ(to_yaml(again), to_yaml(options));
   EXPECT_EQ(again.reward.eta1, options.reward.eta1);
-  EXPECT_EQ(again.network.query, NetworkSettings::Query::kSingle);
+  EXPECT_EQ(again.network.query, NetworkOptions::Query::kSingle);
   EXPECT_EQ(again.exploration.epsilon_decisions, 1'000'000'000'000);
   EXPECT_EQ(again.run.horizon[0].crew, options.run.horizon[0].crew);
   EXPECT_NO_THROW(check_training_options(options));

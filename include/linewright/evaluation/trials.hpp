@@ -2,11 +2,13 @@
 
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "linewright/base/cancel.hpp"
 #include "linewright/evaluation/statistics.hpp"
+#include "linewright/planning/planner.hpp"
 #include "linewright/scenario/scenario.hpp"
 #include "linewright/simulation/run_setup.hpp"
 #include "linewright/simulation/state.hpp"
@@ -17,6 +19,9 @@ namespace linewright {
 struct Configuration {
   std::string planner = "first";
   std::string allocator = "sap";
+  /// Makes the planner where it has no name; then `planner` is only what it is called. Called once
+  /// per thread.
+  std::function<std::unique_ptr<Planner>(const Simulator&)> make_planner;
 };
 
 /// Which runs to make.

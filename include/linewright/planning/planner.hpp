@@ -31,6 +31,7 @@ class Planner {
 /// - `first`: the selectable task with the lowest number
 /// - `priority:LIST`: the first selectable task of a comma-separated list of task numbers or names;
 ///   tasks that the list leaves out come last, by number
+/// - `policy:FILE`: a learned policy (policy_planner.hpp)
 class PlannerRegistry {
  public:
   struct Entry {

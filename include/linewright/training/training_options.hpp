@@ -8,6 +8,8 @@
 #include <vector>
 
 #include "linewright/base/tick.hpp"
+#include "linewright/environment/environment.hpp"
+#include "linewright/network/network_options.hpp"
 
 namespace linewright {
 
@@ -17,28 +19,6 @@ struct AlgorithmSettings {
 
   std::string name = "ebq-n";  ///< for logs and reports: letters, digits, '-', '_' and '.'
   Kind kind = Kind::kDqn;      ///< `dqn`: Q-learning from the buffer; `ppo`: actor and critic
-};
-
-/// The agent's network (paper, Sec. 3.3.5). Parameters and time grow with width^2 and the layers.
-struct NetworkSettings {
-  enum class Query : std::uint8_t { kPerTask, kSingle };
-
-  std::int32_t width = 64;          ///< of a token, 8 to 4096; a multiple of `heads`
-  std::int32_t heads = 4;           ///< of attention, 1 to 64
-  std::int32_t encoder_layers = 1;  ///< 0 to 16
-  std::int32_t feedforward = 128;   ///< width inside of a layer, 8 to 16384
-  std::int32_t head_hidden = 64;    ///< width inside of the value and advantage streams, 8 to 4096
-  Query query = Query::kPerTask;    ///< one query per task, or a single one for all (paper)
-  bool dueling = true;              ///< separate streams for value and advantage
-  bool noisy = true;                ///< noisy linear layers in the streams
-  double sigma0 = 0.5;              ///< their initial noise, 0 to 10
-};
-
-/// R = -eta1 ticks + eta3 share + eta2 (paper, eq. 12), paid at each decision.
-struct RewardSettings {
-  double eta1 = 0.001;  ///< per tick since the last decision, 0 to 10
-  double eta2 = 1.0;    ///< at the end: plus for a success, minus for a failure, 0 to 1000
-  double eta3 = 0.2;    ///< times the newly finished share of the order, 0 to 1000
 };
 
 /// What is stored, and how it is drawn again.
@@ -119,8 +99,8 @@ struct RunSettings {
 /// Everything that a training run depends on besides the scenario and the seed.
 struct TrainingOptions {
   AlgorithmSettings algorithm;
-  NetworkSettings network;
-  RewardSettings reward;
+  NetworkOptions network;  ///< its `actor_critic` follows from `algorithm.kind`
+  RewardOptions reward;
   BufferSettings buffer;
   ExplorationSettings exploration;
   OptimizerSettings optimizer;

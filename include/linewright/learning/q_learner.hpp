@@ -1,0 +1,71 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "linewright/base/random.hpp"
+#include "linewright/network/network.hpp"
+#include "linewright/training/replay_buffer.hpp"
+
+namespace linewright {
+
+/// How a QLearner learns.
+struct QLearnerOptions {
+  double adam_epsilon = 1.5e-4;
+  double gradient_clip = 10.0;  ///< largest norm of the gradient of all parameters together
+  bool double_q =
+      true;  ///< the online network chooses the next action, the target network rates it
+};
+
+/// What an update did.
+struct UpdateReport {
+  double loss = 0.0;           ///< mean over the batch of weight * TD error^2
+  double mean_q = 0.0;         ///< of the chosen actions
+  double gradient_norm = 0.0;  ///< before clipping
+  [[nodiscard]] bool finite() const;
+};
+
+/// Everything that an update depends on.
+struct LearnerState {
+  std::vector<float> parameters;
+  std::vector<float> target;
+  std::vector<float> adam_mean;  ///< empty before the first update
+  std::vector<float> adam_square;
+  std::int64_t steps = 0;
+  RandomStream::State noise{};
+};
+
+/// Q-learning on batches out of a replay buffer (paper, eq. 8 and Algorithm 1): online and target
+/// network in LibTorch, double-Q targets, Adam. Deterministic for a number of threads.
+class QLearner {
+ public:
+  /// Starts from `tensors` (initial_tensors or a policy's). Throws ScenarioError when they do not
+  /// fit.
+  QLearner(const ObservationSpec& spec, const NetworkOptions& network, const TensorMap& tensors,
+           const QLearnerOptions& options, std::uint64_t seed);
+  ~QLearner();
+  QLearner(const QLearner&) = delete;
+  QLearner& operator=(const QLearner&) = delete;
+
+  /// One step of gradient descent. `td_errors` receives target - q by row of the batch. When the
+  /// report is not finite, nothing was changed.
+  UpdateReport update(const ReplayBatch& batch, double learning_rate,
+                      std::vector<float>& td_errors);
+
+  /// Makes the online network the target network.
+  void copy_target();
+
+  /// The online network's tensors.
+  [[nodiscard]] TensorMap tensors() const;
+
+  [[nodiscard]] LearnerState state() const;
+  /// Throws std::invalid_argument when the sizes are not this learner's.
+  void restore(const LearnerState& state);
+
+ private:
+  struct Parts;
+  std::unique_ptr<Parts> parts_;
+};
+
+}  // namespace linewright

@@ -1,0 +1,281 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "attention_kernel.hpp"
+
+// The kernels, written once; each source that includes this file is compiled for other
+// instructions. So everything is in an unnamed namespace and no inline function of a library is
+// called, or the linker might keep the copy that other machines cannot run.
+namespace linewright::learning {
+namespace {
+
+/// Rows are padded to whole lanes of 16 numbers, so that inner loops have no rest.
+constexpr std::size_t kLane = 16;
+
+std::size_t padded(std::size_t n) { return (n + kLane - 1) / kLane * kLane; }
+
+void copy(const float* from, std::size_t count, float* to) {
+  for (std::size_t i = 0; i < count; ++i) to[i] = from[i];
+}
+
+/// 2^(x / ln 2) by splitting off the integer part; |relative error| < 3e-7 for x <= 0.
+inline float fast_exp(float x) {
+  const float bounded = x < -87.0F ? -87.0F : x;
+  const float scaled = bounded * 1.44269504F;
+  const float whole = __builtin_floorf(scaled + 0.5F);
+  const float rest = (bounded - whole * 0.693359375F) + whole * 2.12194440e-4F;
+  float value = 1.9875691500e-4F;
+  value = value * rest + 1.3981999507e-3F;
+  value = value * rest + 8.3334519073e-3F;
+  value = value * rest + 4.1665795894e-2F;
+  value = value * rest + 1.6666665459e-1F;
+  value = value * rest + 5.0000001201e-1F;
+  value = value * rest * rest + rest + 1.0F;
+  const std::int32_t bits = (static_cast<std::int32_t>(whole) + 127) << 23;
+  const float power = __builtin_bit_cast(float, bits);
+  return value * power;
+}
+
+/// Element (i, k) of a matrix stands at `at[i * row + k * column]`.
+struct Matrix {
+  const float* at = nullptr;
+  std::size_t row = 0;
+  std::size_t column = 1;
+};
+
+typedef float Lane __attribute__((vector_size(kLane * sizeof(float))));
+
+/// kRows rows and kLane columns of the product, all in registers.
+template <std::size_t kRows>
+[[gnu::always_inline]] inline void multiply_block(Matrix a, std::size_t depth, const float* b,
+                                                  std::size_t width, float* out) {
+  Lane sum[kRows] = {};
+  for (std::size_t k = 0; k < depth; ++k) {
+    Lane row;
+    __builtin_memcpy(&row, b + k * width, sizeof row);
+#pragma GCC unroll 8
+    for (std::size_t i = 0; i < kRows; ++i) sum[i] += a.at[i * a.row + k * a.column] * row;
+  }
+#pragma GCC unroll 8
+  for (std::size_t i = 0; i < kRows; ++i) __builtin_memcpy(out + i * width, &sum[i], sizeof sum[i]);
+}
+
+/// out [count][width] = a [count][depth] * b [depth][width]; width is a multiple of kLane.
+void multiply(Matrix a, std::size_t count, std::size_t depth, const float* b, std::size_t width,
+              float* out) {
+  constexpr std::size_t kBlock = 8;
+  for (std::size_t i = 0; i < count; i += kBlock) {
+    const Matrix part{a.at + i * a.row, a.row, a.column};
+    for (std::size_t column = 0; column < width; column += kLane) {
+      float* to = out + i * width + column;
+      switch (count - i) {
+        case 7:
+          multiply_block<7>(part, depth, b + column, width, to);
+          break;
+        case 6:
+          multiply_block<6>(part, depth, b + column, width, to);
+          break;
+        case 5:
+          multiply_block<5>(part, depth, b + column, width, to);
+          break;
+        case 4:
+          multiply_block<4>(part, depth, b + column, width, to);
+          break;
+        case 3:
+          multiply_block<3>(part, depth, b + column, width, to);
+          break;
+        case 2:
+          multiply_block<2>(part, depth, b + column, width, to);
+          break;
+        case 1:
+          multiply_block<1>(part, depth, b + column, width, to);
+          break;
+        default:
+          multiply_block<kBlock>(part, depth, b + column, width, to);
+          break;
+      }
+    }
+  }
+}
+
+/// In place, over `count` numbers; those from `count` to `width` become 0.
+void softmax(float* numbers, std::size_t count, std::size_t width) {
+  float largest = numbers[0];
+  for (std::size_t i = 1; i < count; ++i) largest = largest < numbers[i] ? numbers[i] : largest;
+  for (std::size_t i = 0; i < width; ++i) numbers[i] = fast_exp(numbers[i] - largest);
+  for (std::size_t i = count; i < width; ++i) numbers[i] = 0.0F;
+  float sum[kLane] = {};
+  for (std::size_t block = 0; block < width; block += kLane) {
+    for (std::size_t i = 0; i < kLane; ++i) sum[i] += numbers[block + i];
+  }
+  float total = 0.0F;
+  for (const float part : sum) total += part;
+  const float factor = 1.0F / total;
+  for (std::size_t i = 0; i < width; ++i) numbers[i] *= factor;
+}
+
+/// gradient[i] = scale * weight[i] * (gradient[i] - sum over j of gradient[j] weight[j]).
+void softmax_backward(const float* weights, std::size_t width, float scale, float* gradient) {
+  float sum[kLane] = {};
+  for (std::size_t block = 0; block < width; block += kLane) {
+    for (std::size_t i = 0; i < kLane; ++i) sum[i] += weights[block + i] * gradient[block + i];
+  }
+  float total = 0.0F;
+  for (const float part : sum) total += part;
+  for (std::size_t i = 0; i < width; ++i) {
+    gradient[i] = scale * weights[i] * (gradient[i] - total);
+  }
+}
+
+/// One head's vectors of a sample: rows padded to whole lanes, and the same turned round.
+struct Block {
+  float* rows = nullptr;     ///< [rows][head]
+  float* columns = nullptr;  ///< [head_width][keys]
+};
+
+struct Sizes {
+  std::size_t head = 0;  ///< head_width, padded
+  std::size_t keys = 0;  ///< present keys, padded
+  std::size_t present = 0;
+};
+
+Sizes sizes_of(const AttentionShape& shape, const std::uint8_t* present) {
+  Sizes sizes{.head = padded(shape.head_width)};
+  for (std::size_t k = 0; k < shape.keys; ++k) sizes.present += present[k] != 0 ? 1 : 0;
+  sizes.keys = padded(sizes.present);
+  return sizes;
+}
+
+/// Rows of the present keys.
+void gather(const AttentionShape& shape, const Sizes& sizes, Rows rows, std::size_t head,
+            const std::uint8_t* present, Block block) {
+  std::size_t n = 0;
+  for (std::size_t k = 0; k < shape.keys; ++k) {
+    if (present[k] == 0) continue;
+    const float* row = rows.at + k * rows.stride + head * shape.head_width;
+    copy(row, shape.head_width, block.rows + n * sizes.head);
+    for (std::size_t c = 0; c < shape.head_width; ++c) block.columns[c * sizes.keys + n] = row[c];
+    ++n;
+  }
+}
+
+/// One head's queries, times `factor`.
+void gather_queries(const AttentionShape& shape, const Sizes& sizes, Rows rows, std::size_t head,
+                    float factor, float* to) {
+  for (std::size_t q = 0; q < shape.queries; ++q) {
+    const float* row = rows.at + q * rows.stride + head * shape.head_width;
+    for (std::size_t c = 0; c < shape.head_width; ++c) to[q * sizes.head + c] = row[c] * factor;
+  }
+}
+
+void scatter(const AttentionShape& shape, const Sizes& sizes, const float* block, std::size_t head,
+             const std::uint8_t* present, MutableRows out) {
+  std::size_t n = 0;
+  for (std::size_t k = 0; k < shape.keys; ++k) {
+    float* row = out.at + k * out.stride + head * shape.head_width;
+    if (present[k] == 0) {
+      for (std::size_t c = 0; c < shape.head_width; ++c) row[c] = 0.0F;
+    } else {
+      copy(block + n++ * sizes.head, shape.head_width, row);
+    }
+  }
+}
+
+void scatter_queries(const AttentionShape& shape, const Sizes& sizes, const float* block,
+                     std::size_t head, MutableRows out) {
+  for (std::size_t q = 0; q < shape.queries; ++q) {
+    copy(block + q * sizes.head, shape.head_width,
+         out.at + q * out.stride + head * shape.head_width);
+  }
+}
+
+/// Cuts the scratch into zeroed blocks; what pads a row stays zero.
+class Cutter {
+ public:
+  Cutter(float* scratch, std::size_t size) : next_(scratch) {
+    for (std::size_t i = 0; i < size; ++i) scratch[i] = 0.0F;
+  }
+  float* take(std::size_t size) {
+    float* block = next_;
+    next_ += size;
+    return block;
+  }
+
+ private:
+  float* next_;
+};
+
+void attention_forward(const AttentionShape& shape, Rows query, Rows key, Rows value,
+                       const std::uint8_t* present, float* weights, MutableRows out,
+                       float* scratch) {
+  const Sizes sizes = sizes_of(shape, present);
+  const float scale = 1.0F / __builtin_sqrtf(static_cast<float>(shape.head_width));
+  const std::size_t key_block = sizes.head * sizes.keys;
+  const std::size_t query_block = sizes.head * shape.queries;
+  Cutter cutter(scratch, 4 * key_block + 2 * query_block + shape.queries * sizes.keys);
+  const Block keys{cutter.take(key_block), cutter.take(key_block)};
+  const Block values{cutter.take(key_block), cutter.take(key_block)};
+  float* asked = cutter.take(query_block);
+  float* result = cutter.take(query_block);
+  float* scores = cutter.take(shape.queries * sizes.keys);
+  for (std::size_t head = 0; head < shape.heads; ++head) {
+    gather(shape, sizes, key, head, present, keys);
+    gather(shape, sizes, value, head, present, values);
+    gather_queries(shape, sizes, query, head, scale, asked);
+    multiply({asked, sizes.head}, shape.queries, shape.head_width, keys.columns, sizes.keys,
+             scores);
+    for (std::size_t q = 0; q < shape.queries; ++q) {
+      float* row = scores + q * sizes.keys;
+      softmax(row, sizes.present, sizes.keys);
+      copy(row, sizes.present, weights + (head * shape.queries + q) * shape.keys);
+    }
+    multiply({scores, sizes.keys}, shape.queries, sizes.present, values.rows, sizes.head, result);
+    scatter_queries(shape, sizes, result, head, out);
+  }
+}
+
+void attention_backward(const AttentionShape& shape, Rows query, Rows key, Rows value,
+                        const std::uint8_t* present, const float* weights, Rows out_gradient,
+                        MutableRows query_gradient, MutableRows key_gradient,
+                        MutableRows value_gradient, float* scratch) {
+  const Sizes sizes = sizes_of(shape, present);
+  const float scale = 1.0F / __builtin_sqrtf(static_cast<float>(shape.head_width));
+  const std::size_t key_block = sizes.head * sizes.keys;
+  const std::size_t query_block = sizes.head * shape.queries;
+  const std::size_t score_block = shape.queries * sizes.keys;
+  Cutter cutter(scratch, 5 * key_block + 3 * query_block + 2 * score_block);
+  const Block keys{cutter.take(key_block), cutter.take(key_block)};
+  const Block values{cutter.take(key_block), cutter.take(key_block)};
+  float* sum = cutter.take(key_block);
+  float* given = cutter.take(query_block);
+  float* asked = cutter.take(query_block);
+  float* result = cutter.take(query_block);
+  float* weight = cutter.take(score_block);
+  float* gradient = cutter.take(score_block);
+  for (std::size_t head = 0; head < shape.heads; ++head) {
+    gather(shape, sizes, key, head, present, keys);
+    gather(shape, sizes, value, head, present, values);
+    gather_queries(shape, sizes, out_gradient, head, 1.0F, given);
+    gather_queries(shape, sizes, query, head, 1.0F, asked);
+    multiply({given, sizes.head}, shape.queries, shape.head_width, values.columns, sizes.keys,
+             gradient);
+    for (std::size_t q = 0; q < shape.queries; ++q) {
+      float* row = weight + q * sizes.keys;
+      copy(weights + (head * shape.queries + q) * shape.keys, sizes.present, row);
+      softmax_backward(row, sizes.keys, scale, gradient + q * sizes.keys);
+    }
+    multiply({gradient, sizes.keys}, shape.queries, sizes.present, keys.rows, sizes.head, result);
+    scatter_queries(shape, sizes, result, head, query_gradient);
+    multiply({gradient, 1, sizes.keys}, sizes.present, shape.queries, asked, sizes.head, sum);
+    scatter(shape, sizes, sum, head, present, key_gradient);
+    multiply({weight, 1, sizes.keys}, sizes.present, shape.queries, given, sizes.head, sum);
+    scatter(shape, sizes, sum, head, present, value_gradient);
+  }
+}
+
+constexpr AttentionKernels kKernels{attention_forward, attention_backward};
+
+}  // namespace
+}  // namespace linewright::learning
