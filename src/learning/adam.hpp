@@ -1,6 +1,7 @@
 #pragma once
 
 #include "attention.hpp"
+#include "linewright/learning/learner_state.hpp"
 
 namespace linewright::learning {
 
@@ -16,6 +17,15 @@ struct Adam {
 
   /// One step against the gradient, in place.
   void step(torch::Tensor parameters, const torch::Tensor& gradient, double learning_rate);
+
+  /// Clips the gradient to `clip`, takes the step and returns the norm before clipping. When that
+  /// is not finite, nothing changes.
+  double clipped_step(torch::Tensor parameters, torch::Tensor gradient, double clip,
+                      double learning_rate);
+
+  void store(LearnerState& state) const;
+  /// Throws std::invalid_argument when its parts do not fit together.
+  void restore(const LearnerState& state);
 };
 
 }  // namespace linewright::learning

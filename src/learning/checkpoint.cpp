@@ -123,6 +123,8 @@ std::string to_bytes(const Checkpoint& checkpoint) {
     out.put(run.episode);
     out.put_all(run.actions);
     put(out, run.random);
+    out.put_all(run.log_probability);
+    out.put_all(run.value);
   }
   put(out, checkpoint.replay);
   out.put(static_cast<std::uint64_t>(checkpoint.records.size()));
@@ -174,11 +176,13 @@ Checkpoint checkpoint_from_bytes(std::string_view bytes, const std::string& file
   checkpoint.latest = get_report(in);
   checkpoint.learner = get_learner(in);
   checkpoint.sampling = get_random(in);
-  for (std::uint64_t i = in.get_count(48); i > 0; --i) {
+  for (std::uint64_t i = in.get_count(64); i > 0; --i) {
     Collector::RunState run;
     run.episode = in.get<std::uint64_t>();
     run.actions = in.get_all<std::uint16_t>();
     run.random = get_random(in);
+    run.log_probability = in.get_all<float>();
+    run.value = in.get_all<float>();
     checkpoint.runs.push_back(std::move(run));
   }
   checkpoint.replay = get_replay(in);

@@ -87,7 +87,7 @@ std::size_t Collector::choose(const Behaviour& behaviour, Run& run, Thread& thre
   if (random) return random_action(view.selectable, size_.actions, run.random);
   if (behaviour.noisy) sample_noise(run.random, run.noise);
   behaviour.network->forward(view.features, view.present, thread.workspace,
-                             behaviour.noisy ? &run.noise : nullptr, thread.output);
+                             behaviour.noisy ? &run.noise : behaviour.noise, thread.output);
   return behaviour.choice == Behaviour::Choice::kSampled
              ? sample(run, thread, view)
              : best_action(thread.output.actions, view.selectable);
@@ -132,7 +132,8 @@ void Collector::write_down(std::size_t i, std::vector<FinishedEpisode>& finished
 std::vector<Collector::RunState> Collector::state() const {
   std::vector<RunState> states;
   for (const Run& run : runs_) {
-    states.push_back({run.current.number, run.current.episode.action, run.random.state()});
+    states.push_back({run.current.number, run.current.episode.action, run.random.state(),
+                      run.current.log_probability, run.current.value});
   }
   return states;
 }
@@ -145,6 +146,8 @@ void Collector::restore(const std::vector<RunState>& state, std::vector<Episode>
     begin(run);
     run.current.number = state[i].episode;
     run.current.episode = std::move(begun[i]);
+    run.current.log_probability = state[i].log_probability;
+    run.current.value = state[i].value;
     for (const float reward : run.current.episode.reward) {
       run.current.total_reward += static_cast<double>(reward);
     }

@@ -20,8 +20,9 @@ struct Behaviour {
 
   const Network* network = nullptr;  ///< none: uniformly at random
   Choice choice = Choice::kBest;
-  double epsilon = 0.0;  ///< share of decisions that are uniformly random instead
-  bool noisy = false;    ///< fresh noise for every decision, in networks that have it
+  double epsilon = 0.0;          ///< share of decisions that are uniformly random instead
+  bool noisy = false;            ///< fresh noise for every decision, in networks that have it
+  const Noise* noise = nullptr;  ///< instead: this noise for every decision
 };
 
 /// An episode that has ended.
@@ -52,11 +53,13 @@ class Collector {
     std::uint64_t episode = 0;
     std::vector<std::uint16_t> actions;  ///< of the episode so far
     RandomStream::State random{};
+    std::vector<float> log_probability;  ///< with Behaviour::kSampled, of the episode so far
+    std::vector<float> value;
   };
   [[nodiscard]] std::vector<RunState> state() const;
 
   /// Goes on from there: the episodes are played again up to where they were. `begun` gives run i's
-  /// episode so far, with observations and rewards. Only for Behaviour::kBest.
+  /// episode so far, with observations and rewards.
   void restore(const std::vector<RunState>& state, std::vector<Episode> begun);
 
  private:

@@ -25,26 +25,14 @@ ReplayOptions replay_options(const TrainingOptions& options) {
           .gamma = options.optimizer.gamma};
 }
 
-EpisodeEndOptions episode_end_options(const BufferSettings& buffer) {
-  return {.modify = buffer.modify_reward,
-          .eta4 = buffer.eta4,
-          .eta5 = buffer.eta5,
-          .eta6 = buffer.copies};
-}
-
-/// Linear from `start` to `end` as `share` goes from 0 to 1.
-double between(double start, double end, double share) {
-  return start + (end - start) * std::clamp(share, 0.0, 1.0);
-}
-
 class DqnTrainer {
  public:
   DqnTrainer(const TrainingRun& run, const TrainingHooks& hooks)
       : session_(run, hooks),
         options_(session_.options()),
         replay_(size_of(session_.spec()), replay_options(options_)),
-        learner_(session_.spec(), options_.network,
-                 initial_tensors(session_.spec(), options_.network, run.seed),
+        learner_(session_.spec(), session_.network(),
+                 initial_tensors(session_.spec(), session_.network(), run.seed),
                  {.adam_epsilon = options_.optimizer.adam_epsilon,
                   .gradient_clip = options_.optimizer.gradient_clip,
                   .double_q = options_.optimizer.double_q},
@@ -132,7 +120,7 @@ class DqnTrainer {
   }
 
   std::unique_ptr<const Network> acting_network() {
-    return std::make_unique<const Network>(session_.spec(), options_.network, learner_.tensors());
+    return std::make_unique<const Network>(session_.spec(), session_.network(), learner_.tensors());
   }
 
   void begin() {
@@ -153,11 +141,7 @@ class DqnTrainer {
       static_cast<void>(process_episode_end(episode, episode_end_options(options_.buffer)));
       return episode;
     });
-    std::vector<Episode> begun;
-    for (const Collector::RunState& run : checkpoint->runs) {
-      begun.push_back(replayer.play(run.episode, run.actions));
-    }
-    session_.collector().restore(checkpoint->runs, std::move(begun));
+    session_.restore_runs(*checkpoint);
     learner_.restore(checkpoint->learner);
     sampling_.restore(checkpoint->sampling);
     credit_ = checkpoint->credit;

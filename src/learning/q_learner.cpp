@@ -1,11 +1,10 @@
 #include "linewright/learning/q_learner.hpp"
 
-#include <cmath>
 #include <limits>
-#include <stdexcept>
 
 #include "adam.hpp"
 #include "torch_network.hpp"
+#include "torch_values.hpp"
 
 namespace linewright {
 
@@ -22,53 +21,26 @@ struct BatchTensors {
       weight;
 };
 
-template <class Number>
-Values view(const std::vector<Number>& values, std::vector<std::int64_t> shape,
-            torch::ScalarType type) {
-  // from_blob wants a pointer to non-const; nothing writes through it.
-  return torch::from_blob(const_cast<Number*>(values.data()), shape, type);
-}
-
 BatchTensors tensors_of(const ReplayBatch& batch, torch::Device device) {
   const auto rows = static_cast<std::int64_t>(batch.size);
-  const auto floats = [&](const std::vector<float>& values, std::int64_t columns) {
-    Values all = view(values, {rows, columns}, torch::kFloat32);
-    return (columns == 1 ? all.squeeze(1) : all).to(device);
-  };
-  const auto bytes = [&](const std::vector<std::uint8_t>& values) {
-    const auto columns = static_cast<std::int64_t>(values.size()) / rows;
-    return view(values, {rows, columns}, torch::kUInt8).to(device);
-  };
-  const auto width = static_cast<std::int64_t>(batch.features.size()) / rows;
-  return {floats(batch.features, width),
-          bytes(batch.present),
-          view(batch.action, {rows}, torch::kInt64).to(device),
-          floats(batch.returns, 1),
-          floats(batch.discount, 1),
-          floats(batch.next_features, width),
-          bytes(batch.next_present),
-          bytes(batch.next_selectable),
-          floats(batch.weight, 1)};
-}
-
-std::vector<float> numbers(const Values& tensor) {
-  if (!tensor.defined()) return {};
-  const Values here = tensor.detach().cpu().contiguous();
-  const float* first = here.data_ptr<float>();
-  return {first, first + here.numel()};
+  return {learning::rows_of(batch.features, rows, device),
+          learning::rows_of(batch.present, rows, device),
+          learning::view(batch.action, {rows}, device),
+          learning::view(batch.returns, {rows}, device),
+          learning::view(batch.discount, {rows}, device),
+          learning::rows_of(batch.next_features, rows, device),
+          learning::rows_of(batch.next_present, rows, device),
+          learning::rows_of(batch.next_selectable, rows, device),
+          learning::view(batch.weight, {rows}, device)};
 }
 
 }  // namespace
-
-bool UpdateReport::finite() const {
-  return std::isfinite(loss) && std::isfinite(mean_q) && std::isfinite(gradient_norm);
-}
 
 struct QLearner::Parts {
   Parts(const ObservationSpec& spec, const NetworkOptions& network, const TensorMap& tensors,
         const QLearnerOptions& given, std::uint64_t seed)
       : options(given),
-        device(torch::cuda::is_available() ? torch::kCUDA : torch::kCPU),
+        device(learning::default_device()),
         online(spec, network, tensors, device),
         target(spec, network, tensors, device),
         noise(Network(spec, network, tensors).make_noise()),
@@ -126,16 +98,10 @@ UpdateReport QLearner::update(const ReplayBatch& replayed, double learning_rate,
   const Values loss = (batch.weight * error * error).mean();
   p.online.forget_gradient();
   loss.backward();
-  Values gradient = p.online.flat_gradient();
-  UpdateReport report{.loss = loss.item<double>(),
-                      .mean_q = q.mean().item<double>(),
-                      .gradient_norm = gradient.norm().item<double>()};
-  td_errors = numbers(error);
-  if (!report.finite()) return report;
-  if (report.gradient_norm > p.options.gradient_clip) {
-    gradient.mul_(p.options.gradient_clip / report.gradient_norm);
-  }
-  p.adam.step(p.online.flat(), gradient, learning_rate);
+  UpdateReport report{.loss = loss.item<double>(), .mean_q = q.mean().item<double>()};
+  td_errors = learning::numbers_of(error);
+  report.gradient_norm = p.adam.clipped_step(p.online.flat(), p.online.flat_gradient(),
+                                             p.options.gradient_clip, learning_rate);
   return report;
 }
 
@@ -147,31 +113,17 @@ void QLearner::copy_target() {
 TensorMap QLearner::tensors() const { return parts_->online.store(); }
 
 LearnerState QLearner::state() const {
-  return {.parameters = numbers(parts_->online.flat()),
-          .target = numbers(parts_->target.flat()),
-          .adam_mean = numbers(parts_->adam.mean),
-          .adam_square = numbers(parts_->adam.square),
-          .steps = parts_->adam.steps,
-          .noise = parts_->random.state()};
+  LearnerState state{.parameters = learning::numbers_of(parts_->online.flat()),
+                     .target = learning::numbers_of(parts_->target.flat()),
+                     .noise = parts_->random.state()};
+  parts_->adam.store(state);
+  return state;
 }
 
 void QLearner::restore(const LearnerState& state) {
-  const auto size = static_cast<std::size_t>(parts_->online.flat().numel());
-  const bool begun = state.steps > 0;
-  if (state.parameters.size() != size || state.target.size() != size ||
-      state.adam_mean.size() != (begun ? size : 0) ||
-      state.adam_square.size() != state.adam_mean.size()) {
-    throw std::invalid_argument("the state is of another network");
-  }
-  const torch::NoGradGuard no_gradient;
-  const auto tensor = [&](const std::vector<float>& values) {
-    return torch::tensor(values, torch::kFloat32).to(parts_->device);
-  };
-  Values(parts_->online.flat()).copy_(tensor(state.parameters));
-  Values(parts_->target.flat()).copy_(tensor(state.target));
-  parts_->adam.mean = begun ? tensor(state.adam_mean) : Values();
-  parts_->adam.square = begun ? tensor(state.adam_square) : Values();
-  parts_->adam.steps = state.steps;
+  parts_->online.load_flat(state.parameters);
+  parts_->target.load_flat(state.target);
+  parts_->adam.restore(state);
   parts_->random.restore(state.noise);
 }
 

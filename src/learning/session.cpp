@@ -49,10 +49,20 @@ Session::Session(const TrainingRun& run, const TrainingHooks& hooks)
       collector_(environments_, pool_, run.seed),
       interval_(4, 0.0) {
   status_.most_updates = run.options.optimizer.updates;
+  run_.options.network.actor_critic = run.options.algorithm.kind == AlgorithmSettings::Kind::kPpo;
 }
 
 EpisodeReplayer Session::replayer() const {
   return {simulator_, plan_, run_.options.run.allocator, run_.options.reward};
+}
+
+void Session::restore_runs(const Checkpoint& checkpoint) {
+  EpisodeReplayer player = replayer();
+  std::vector<Episode> begun;
+  for (const Collector::RunState& run : checkpoint.runs) {
+    begun.push_back(player.play(run.episode, run.actions));
+  }
+  collector_.restore(checkpoint.runs, std::move(begun));
 }
 
 std::string Session::scenario_text() const {
@@ -249,6 +259,17 @@ void Session::refuse_not_finite(const UpdateReport& report) const {
                   status_.updates + 1, status_.most_updates, report.loss, report.gradient_norm),
       "the last checkpoint and the best policy so far are kept; lower optimizer.learning_rate or "
       "the weights of the reward");
+}
+
+EpisodeEndOptions episode_end_options(const BufferSettings& buffer) {
+  return {.modify = buffer.modify_reward,
+          .eta4 = buffer.eta4,
+          .eta5 = buffer.eta5,
+          .eta6 = buffer.copies};
+}
+
+double between(double start, double end, double share) {
+  return start + (end - start) * std::clamp(share, 0.0, 1.0);
 }
 
 }  // namespace linewright::learning

@@ -12,6 +12,7 @@
 #include "linewright/environment/vector_environment.hpp"
 #include "linewright/learning/trainer.hpp"
 #include "linewright/network/policy_file.hpp"
+#include "linewright/training/episode_end.hpp"
 #include "run_logs.hpp"
 
 namespace linewright::learning {
@@ -30,7 +31,11 @@ class Session {
     return hooks_.cancel != nullptr && hooks_.cancel->requested();
   }
   [[nodiscard]] Collector& collector() { return collector_; }
+  /// The options' network, with what follows from the kind of algorithm.
+  [[nodiscard]] const NetworkOptions& network() const { return run_.options.network; }
   [[nodiscard]] EpisodeReplayer replayer() const;
+  /// Puts the runs where a checkpoint has them.
+  void restore_runs(const Checkpoint& checkpoint);
   [[nodiscard]] TrainingStatus& status() { return status_; }
   [[nodiscard]] const TrainingStatus& status() const { return status_; }
 
@@ -79,5 +84,10 @@ class Session {
   std::vector<double> interval_;
   std::optional<RunLogs> logs_;
 };
+
+[[nodiscard]] EpisodeEndOptions episode_end_options(const BufferSettings& buffer);
+
+/// Linear from `start` to `end` as `share` goes from 0 to 1.
+[[nodiscard]] double between(double start, double end, double share);
 
 }  // namespace linewright::learning

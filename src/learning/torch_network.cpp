@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <functional>
 #include <numeric>
+#include <stdexcept>
 
 namespace linewright::learning {
 namespace {
@@ -83,6 +84,14 @@ void TorchNetwork::load(const TensorMap& tensors) {
     const linewright::Tensor& from = tensors.at(name);
     tensor.copy_(torch::tensor(from.values, torch::kFloat32).view(tensor.sizes()));
   }
+}
+
+void TorchNetwork::load_flat(const std::vector<float>& numbers) {
+  if (static_cast<std::int64_t>(numbers.size()) != flat_.numel()) {
+    throw std::invalid_argument("the state is of another network");
+  }
+  const torch::NoGradGuard no_gradient;
+  flat_.copy_(torch::tensor(numbers, torch::kFloat32));
 }
 
 Tensor TorchNetwork::flat_gradient() const {

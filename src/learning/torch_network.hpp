@@ -44,6 +44,8 @@ class TorchNetwork {
   void forget_gradient();
   [[nodiscard]] TensorMap store() const;
   void load(const TensorMap& tensors);
+  /// Throws std::invalid_argument when there are not as many numbers.
+  void load_flat(const std::vector<float>& numbers);
 
  private:
   struct Group {

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "dqn_trainer.hpp"
+#include "ppo_trainer.hpp"
 
 namespace linewright {
 
@@ -30,7 +31,9 @@ std::vector<RunOptions> training_crews(const LineModel& line, const RunSettings&
 }
 
 TrainingResult train(const TrainingRun& run, const TrainingHooks& hooks) {
-  return learning::train_dqn(run, hooks);
+  return run.options.algorithm.kind == AlgorithmSettings::Kind::kPpo
+             ? learning::train_ppo(run, hooks)
+             : learning::train_dqn(run, hooks);
 }
 
 }  // namespace linewright

@@ -4,7 +4,7 @@
 #include <memory>
 #include <vector>
 
-#include "linewright/base/random.hpp"
+#include "linewright/learning/learner_state.hpp"
 #include "linewright/network/network.hpp"
 #include "linewright/training/replay_buffer.hpp"
 
@@ -16,24 +16,6 @@ struct QLearnerOptions {
   double gradient_clip = 10.0;  ///< largest norm of the gradient of all parameters together
   bool double_q =
       true;  ///< the online network chooses the next action, the target network rates it
-};
-
-/// What an update did.
-struct UpdateReport {
-  double loss = 0.0;           ///< mean over the batch of weight * TD error^2
-  double mean_q = 0.0;         ///< of the chosen actions
-  double gradient_norm = 0.0;  ///< before clipping
-  [[nodiscard]] bool finite() const;
-};
-
-/// Everything that an update depends on.
-struct LearnerState {
-  std::vector<float> parameters;
-  std::vector<float> target;
-  std::vector<float> adam_mean;  ///< empty before the first update
-  std::vector<float> adam_square;
-  std::int64_t steps = 0;
-  RandomStream::State noise{};
 };
 
 /// Q-learning on batches out of a replay buffer (paper, eq. 8 and Algorithm 1): online and target
@@ -48,8 +30,8 @@ class QLearner {
   QLearner(const QLearner&) = delete;
   QLearner& operator=(const QLearner&) = delete;
 
-  /// One step of gradient descent. `td_errors` receives target - q by row of the batch. When the
-  /// report is not finite, nothing was changed.
+  /// One step of gradient descent on mean(weight * TD error^2). `td_errors` receives target - q by
+  /// row of the batch. When the report is not finite, nothing was changed.
   UpdateReport update(const ReplayBatch& batch, double learning_rate,
                       std::vector<float>& td_errors);
 
