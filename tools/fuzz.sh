@@ -55,6 +55,7 @@ for source in "${sources[@]}"; do
   files=()
   case "$name" in
     scenario) files=(scenarios/*.yaml) ;;
+    training_options) files=(algorithms/*.yaml) ;;
   esac
   if [[ ${#files[@]} -gt 0 ]]; then
     cp "${files[@]}" "$seeds"

@@ -30,16 +30,18 @@ void set_mark(SourceNode& node, SourceMark mark) {
   }
 }
 
-/// The keys of `group.key`, outermost first; empty when it has none or too many.
+/// The keys of `group.key`, innermost first; empty when it has none or too many.
 std::vector<std::string> keys_of(std::string_view path) {
   std::vector<std::string> keys;
   while (true) {
     const std::size_t dot = path.find('.');
     keys.emplace_back(path.substr(0, dot));
     if (keys.back().empty() || keys.size() > kDeepestKey) return {};
-    if (dot == std::string_view::npos) return keys;
+    if (dot == std::string_view::npos) break;
     path.remove_prefix(dot + 1);
   }
+  std::reverse(keys.begin(), keys.end());
+  return keys;
 }
 
 /// `group.key=value` as the tree {group: {key: value}}; broken when it was reported.
@@ -63,11 +65,11 @@ SourceNode override_tree(const std::string& text, Problems& problems) {
     problems.error(mark, "the override has no value", "write, e.g., buffer.alpha=0.6");
     return node;
   }
-  for (auto key = keys.rbegin(); key != keys.rend(); ++key) {
+  for (const std::string& key : keys) {
     SourceNode outer;
     outer.type = SourceNode::Type::kMapping;
     outer.mark = mark;
-    outer.entries.push_back({*key, mark, std::move(read)});
+    outer.entries.push_back({key, mark, std::move(read)});
     read = std::move(outer);
   }
   return read;
