@@ -221,7 +221,7 @@ const std::vector<Row> kTable = {
     {"d3qn", false, 1, true, false, true, true},  {"no-modify", false, 5, true, false, true, true},
     {"edqn1", true, 5, true, false, true, false}, {"edqn2", true, 5, true, false, false, true},
     {"ebq-g", true, 5, true, false, true, true},  {"ebq-n", true, 5, false, true, true, true},
-    {"ebq-gn", true, 5, true, true, true, true},  {"eppo", true, 5, false, false, false, false},
+    {"ebq-gn", true, 5, true, true, true, true},  {"eppo", true, 5, false, true, true, false},
 };
 
 TEST(Algorithms, AreTheRowsOfTheTableWithEveryPreset) {
