@@ -1,4 +1,5 @@
-// The steady state of the simulator allocates nothing: counted by replacing operator new.
+// The steady state of the simulator and of the network allocates nothing: counted by replacing
+// operator new.
 
 // The sanitizers replace operator new themselves, so this runs without them.
 #if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
@@ -10,6 +11,7 @@
 #include <new>
 
 #include "linewright/allocation/allocator.hpp"
+#include "linewright/network/network.hpp"
 #include "linewright/planning/episode.hpp"
 #include "linewright/planning/planner.hpp"
 #include "tests/support.hpp"
@@ -55,6 +57,30 @@ TEST(SteadyState, CopiesAStateIntoAnotherWithoutAllocating) {
   SimulationState copy = state;
   const std::size_t before = allocations;
   for (int i = 0; i < 100; ++i) copy = state;
+  EXPECT_EQ(allocations - before, 0U);
+}
+
+TEST(SteadyState, AllocatesNothingPerForwardPass) {
+  using Encoder = TokenGroup::Encoder;
+  ObservationSpec spec;
+  spec.groups = {{"human", Encoder::kShared, {"a", "b", "c"}, {{"x", "y"}}},
+                 {"tasks", Encoder::kNamed, {"cut", "glue"}, {{"open"}}},
+                 {"global", Encoder::kOwn, {"global"}, {{"time"}}}};
+  spec.actions = {"cut", "glue"};
+  const Network network(spec, {}, initial_tensors(spec, {}, 1));
+  const std::vector<float> features(spec.feature_count(), 0.5F);
+  std::vector<std::uint8_t> present(spec.token_count(), 0);
+  RandomStream random(1);
+  Noise noise = network.make_noise();
+  Workspace workspace;
+  NetworkOutput output;
+  network.forward(features.data(), present.data(), workspace, &noise, output);  // warm-up
+  const std::size_t before = allocations;
+  for (std::size_t i = 0; i < 100; ++i) {
+    present[i % 3] ^= 1U;
+    sample_noise(random, noise);
+    network.forward(features.data(), present.data(), workspace, &noise, output);
+  }
   EXPECT_EQ(allocations - before, 0U);
 }
 

@@ -236,6 +236,7 @@ TEST(Network, RunsInManyThreadsAtOnce) {
   const auto expected = bits_of_run(network, spec, 50);
   std::vector<std::vector<std::uint32_t>> found(4);
   std::vector<std::thread> threads;
+  threads.reserve(found.size());
   for (auto& bits : found) {
     threads.emplace_back([&] { bits = bits_of_run(network, spec, 50); });
   }
@@ -303,7 +304,7 @@ TEST(Network, NamesEveryTensorThatDoesNotFit) {
 
 TEST(Network, RefusesASpecWithoutATaskForEachAction) {
   ObservationSpec spec = small_spec();
-  spec.actions.push_back("one more");
+  spec.actions.emplace_back("one more");
   EXPECT_THROW((Network(spec, small_options(), {})), ScenarioError);
   spec.groups.clear();
   EXPECT_THROW((Network(spec, small_options(), {})), ScenarioError);
