@@ -104,5 +104,11 @@ Command add_map(CLI::App& app);
 Command add_routes(CLI::App& app);
 Command add_bench(CLI::App& app);
 Command add_schema(CLI::App& app);
+Command add_train(CLI::App& app);
+
+/// Becomes the trainer, a program of its own because LibTorch costs 0.4 s at every start.
+/// `arguments`: those of the command line from the word `train` on. Throws ScenarioError when there
+/// is none.
+[[noreturn]] void start_trainer(char** arguments);
 
 }  // namespace linewright::cli

@@ -81,10 +81,11 @@ int main(int argc, char** argv) {
       {"map", "Facts of a scenario's map; write it for ROS map_server"},
       {"routes", "Routes between all stations: lengths, failures, time of planning, picture"},
       {"bench", "Measure the simulator's speed and fingerprint its behaviour"},
-      {"schema", "Print the JSON Schema of scenario files"}};
+      {"schema", "Print the JSON Schema of scenario files"},
+      {"train", "Train a policy for a line (needs LibTorch)"}};
   linewright::cli::Command (*const add[])(CLI::App&) = {
-      cli::add_simulate, cli::add_evaluate, cli::add_check, cli::add_gantt,
-      cli::add_map,      cli::add_routes,   cli::add_bench, cli::add_schema};
+      cli::add_simulate, cli::add_evaluate, cli::add_check,  cli::add_gantt, cli::add_map,
+      cli::add_routes,   cli::add_bench,    cli::add_schema, cli::add_train};
   std::vector<std::pair<CLI::App*, cli::Command>> commands;
   for (std::size_t i = 0; i < subcommands.size(); ++i) {
     CLI::App* sub = app.add_subcommand(subcommands[i].first, subcommands[i].second);
@@ -92,6 +93,7 @@ int main(int argc, char** argv) {
   }
   try {
     refuse_unknown(argc, argv, commands);
+    if (argc >= 2 && std::string(argv[1]) == "train") cli::start_trainer(argv + 1);
     app.parse(argc, argv);
     return run(commands);
   } catch (const CLI::ParseError& error) {
