@@ -87,7 +87,7 @@ void run_size(const ObservationSpec& spec, const NetworkOptions& options, const 
 
 int main(int argc, char** argv) {
   const int states = argc > 1 ? std::atoi(argv[1]) : 20000;
-  const auto count = static_cast<std::size_t>(std::max(states, 100));
+  const auto count = static_cast<std::size_t>(std::max(states, 1000));
   const ObservationSpec spec = line_spec();
   fmt::print("{} tokens, {} numbers, {} actions, {} states\n", spec.token_count(),
              spec.feature_count(), spec.actions.size(), count);
@@ -99,7 +99,7 @@ int main(int argc, char** argv) {
         options.width = width;
         options.feedforward = 2 * width;
         options.encoder_layers = layers;
-        run_size(spec, options, set, set == "plain" ? count / 10 : count);
+        run_size(spec, options, set, set == "plain" ? count / 100 : count);
       }
     }
   }
