@@ -20,22 +20,78 @@ void copy(const float* from, std::size_t count, float* to) {
   for (std::size_t i = 0; i < count; ++i) to[i] = from[i];
 }
 
-/// 2^(x / ln 2) by splitting off the integer part; |relative error| < 3e-7 for x <= 0.
-inline float fast_exp(float x) {
-  const float bounded = x < -87.0F ? -87.0F : x;
-  const float scaled = bounded * 1.44269504F;
-  const float whole = __builtin_floorf(scaled + 0.5F);
-  const float rest = (bounded - whole * 0.693359375F) + whole * 2.12194440e-4F;
-  float value = 1.9875691500e-4F;
-  value = value * rest + 1.3981999507e-3F;
+typedef float Lane __attribute__((vector_size(kLane * sizeof(float))));
+typedef std::int32_t IntLane __attribute__((vector_size(kLane * sizeof(std::int32_t))));
+
+[[gnu::always_inline]] inline Lane load(const float* from) {
+  Lane lane;
+  __builtin_memcpy(&lane, from, sizeof lane);
+  return lane;
+}
+
+[[gnu::always_inline]] inline void store(float* to, Lane lane) {
+  __builtin_memcpy(to, &lane, sizeof lane);
+}
+
+[[gnu::always_inline]] inline float sum_of(Lane lane) {
+  float sum = 0.0F;
+  for (std::size_t i = 0; i < kLane; ++i) sum += lane[i];
+  return sum;
+}
+
+/// e^x as 2^n times a polynomial; |relative error| < 3e-7 for x <= 0, and 0 far below.
+[[gnu::always_inline]] inline Lane exp_of(Lane x) {
+  const Lane lowest = Lane{} - 87.0F;
+  const Lane bounded = x < lowest ? lowest : x;
+  constexpr float kRound = 12582912.0F;  // 1.5 * 2^23: what is added to it is rounded to a whole
+  const Lane whole = (bounded * 1.44269504F + kRound) - kRound;
+  const Lane rest = (bounded - whole * 0.693359375F) + whole * 2.12194440e-4F;
+  Lane value = rest * 1.9875691500e-4F + 1.3981999507e-3F;
   value = value * rest + 8.3334519073e-3F;
   value = value * rest + 4.1665795894e-2F;
   value = value * rest + 1.6666665459e-1F;
   value = value * rest + 5.0000001201e-1F;
   value = value * rest * rest + rest + 1.0F;
-  const std::int32_t bits = (static_cast<std::int32_t>(whole) + 127) << 23;
-  const float power = __builtin_bit_cast(float, bits);
+  const IntLane bits = (__builtin_convertvector(whole, IntLane) + 127) << 23;
+  Lane power;
+  __builtin_memcpy(&power, &bits, sizeof power);
   return value * power;
+}
+
+/// In place, over `count` numbers; those from `count` to `width` become 0.
+void softmax(float* numbers, std::size_t count, std::size_t width) {
+  for (std::size_t i = count; i < width; ++i) numbers[i] = -1e30F;
+  Lane most = load(numbers);
+  for (std::size_t block = kLane; block < width; block += kLane) {
+    const Lane more = load(numbers + block);
+    most = most < more ? more : most;
+  }
+  float largest = most[0];
+  for (std::size_t i = 1; i < kLane; ++i) largest = largest < most[i] ? most[i] : largest;
+  Lane sum{};
+  for (std::size_t block = 0; block < width; block += kLane) {
+    const Lane power = exp_of(load(numbers + block) - largest);
+    store(numbers + block, power);
+    sum += power;
+  }
+  const float factor = 1.0F / sum_of(sum);
+  for (std::size_t block = 0; block < width; block += kLane) {
+    store(numbers + block, load(numbers + block) * factor);
+  }
+  for (std::size_t i = count; i < width; ++i) numbers[i] = 0.0F;
+}
+
+/// gradient[i] = scale * weight[i] * (gradient[i] - sum over j of gradient[j] weight[j]).
+void softmax_backward(const float* weights, std::size_t width, float scale, float* gradient) {
+  Lane sum{};
+  for (std::size_t block = 0; block < width; block += kLane) {
+    sum += load(weights + block) * load(gradient + block);
+  }
+  const float total = sum_of(sum);
+  for (std::size_t block = 0; block < width; block += kLane) {
+    const Lane weight = load(weights + block);
+    store(gradient + block, scale * weight * (load(gradient + block) - total));
+  }
 }
 
 /// Element (i, k) of a matrix stands at `at[i * row + k * column]`.
@@ -45,21 +101,18 @@ struct Matrix {
   std::size_t column = 1;
 };
 
-typedef float Lane __attribute__((vector_size(kLane * sizeof(float))));
-
 /// kRows rows and kLane columns of the product, all in registers.
 template <std::size_t kRows>
 [[gnu::always_inline]] inline void multiply_block(Matrix a, std::size_t depth, const float* b,
                                                   std::size_t width, float* out) {
   Lane sum[kRows] = {};
   for (std::size_t k = 0; k < depth; ++k) {
-    Lane row;
-    __builtin_memcpy(&row, b + k * width, sizeof row);
+    const Lane row = load(b + k * width);
 #pragma GCC unroll 8
     for (std::size_t i = 0; i < kRows; ++i) sum[i] += a.at[i * a.row + k * a.column] * row;
   }
 #pragma GCC unroll 8
-  for (std::size_t i = 0; i < kRows; ++i) __builtin_memcpy(out + i * width, &sum[i], sizeof sum[i]);
+  for (std::size_t i = 0; i < kRows; ++i) store(out + i * width, sum[i]);
 }
 
 /// out [count][width] = a [count][depth] * b [depth][width]; width is a multiple of kLane.
@@ -97,35 +150,6 @@ void multiply(Matrix a, std::size_t count, std::size_t depth, const float* b, st
           break;
       }
     }
-  }
-}
-
-/// In place, over `count` numbers; those from `count` to `width` become 0.
-void softmax(float* numbers, std::size_t count, std::size_t width) {
-  float largest = numbers[0];
-  for (std::size_t i = 1; i < count; ++i) largest = largest < numbers[i] ? numbers[i] : largest;
-  for (std::size_t i = 0; i < width; ++i) numbers[i] = fast_exp(numbers[i] - largest);
-  for (std::size_t i = count; i < width; ++i) numbers[i] = 0.0F;
-  float sum[kLane] = {};
-  for (std::size_t block = 0; block < width; block += kLane) {
-    for (std::size_t i = 0; i < kLane; ++i) sum[i] += numbers[block + i];
-  }
-  float total = 0.0F;
-  for (const float part : sum) total += part;
-  const float factor = 1.0F / total;
-  for (std::size_t i = 0; i < width; ++i) numbers[i] *= factor;
-}
-
-/// gradient[i] = scale * weight[i] * (gradient[i] - sum over j of gradient[j] weight[j]).
-void softmax_backward(const float* weights, std::size_t width, float scale, float* gradient) {
-  float sum[kLane] = {};
-  for (std::size_t block = 0; block < width; block += kLane) {
-    for (std::size_t i = 0; i < kLane; ++i) sum[i] += weights[block + i] * gradient[block + i];
-  }
-  float total = 0.0F;
-  for (const float part : sum) total += part;
-  for (std::size_t i = 0; i < width; ++i) {
-    gradient[i] = scale * weights[i] * (gradient[i] - total);
   }
 }
 

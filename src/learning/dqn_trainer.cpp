@@ -35,7 +35,8 @@ class DqnTrainer {
                  initial_tensors(session_.spec(), session_.network(), run.seed),
                  {.adam_epsilon = options_.optimizer.adam_epsilon,
                   .gradient_clip = options_.optimizer.gradient_clip,
-                  .double_q = options_.optimizer.double_q},
+                  .double_q = options_.optimizer.double_q,
+                  .threads = session_.threads()},
                  run.seed),
         sampling_(RandomStream::derive(run.seed, "replay")) {}
 

@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "adam.hpp"
+#include "slices.hpp"
 #include "torch_network.hpp"
 #include "torch_values.hpp"
 
@@ -12,19 +13,64 @@ using learning::TorchNetwork;
 using learning::TorchNoise;
 using Values = torch::Tensor;
 
+namespace {
+
+/// What one thread found out about its rows.
+struct Slice {
+  double loss = 0.0;        ///< its part of the mean
+  double mean_value = 0.0;  ///< likewise
+  Values gradient;
+};
+
+}  // namespace
+
 struct PpoLearner::Parts {
   Parts(const ObservationSpec& spec, const NetworkOptions& options, const TensorMap& tensors,
         const PpoLearnerOptions& given)
       : settings(given),
         device(learning::default_device()),
-        network(spec, options, tensors, device) {
+        network(spec, options, tensors, device),
+        pool(given.threads) {
     adam.epsilon = given.adam_epsilon;
+  }
+
+  /// Loss and gradient of some rows of the batch, as their part of a mean over all of them.
+  [[nodiscard]] Slice compute(const PpoBatch& batch, std::int64_t first, std::int64_t rows,
+                              const TorchNoise* noise) const {
+    const auto all = static_cast<std::int64_t>(batch.size);
+    const torch::Device here(torch::kCPU);
+    const auto part = [&](const Values& values) {
+      return values.narrow(0, first, rows).to(device);
+    };
+    const auto column = [&](const std::vector<float>& values) {
+      return part(learning::view(values, {all}, here));
+    };
+    const TorchNetwork::Output out =
+        network.forward(part(learning::rows_of(batch.features, all, here)),
+                        part(learning::rows_of(batch.present, all, here)), noise);
+    // A finite stand-in for minus infinity: its gradient is 0, not undefined.
+    const Values impossible = part(learning::rows_of(batch.selectable, all, here)).eq(0);
+    const Values log_all = torch::log_softmax(out.actions.masked_fill(impossible, -1e9F), 1);
+    const Values action = part(learning::view(batch.action, {all}, here)).unsqueeze(1);
+    const Values log_now = log_all.gather(1, action).squeeze(1);
+    const Values advantage = column(batch.advantage);
+    const Values ratio = (log_now - column(batch.log_probability)).exp();
+    const Values clipped = ratio.clamp(1.0 - settings.clip, 1.0 + settings.clip);
+    const Values gain = torch::minimum(ratio * advantage, clipped * advantage);
+    const Values critic = (out.value - column(batch.returns)).square();
+    const Values entropy = -(log_all.exp() * log_all.masked_fill(impossible, 0.0F)).sum(1);
+    const Values terms = settings.value_coefficient * critic - gain - settings.entropy * entropy;
+    const Values loss = (column(batch.weight) * terms).sum() / static_cast<double>(all);
+    return {.loss = loss.item<double>(),
+            .mean_value = out.value.sum().item<double>() / static_cast<double>(all),
+            .gradient = network.gradient_of(loss)};
   }
 
   PpoLearnerOptions settings;
   torch::Device device;
   TorchNetwork network;
   learning::Adam adam;
+  learning::SlicePool pool;
 };
 
 PpoLearner::PpoLearner(const ObservationSpec& spec, const NetworkOptions& network,
@@ -34,35 +80,23 @@ PpoLearner::~PpoLearner() = default;
 
 UpdateReport PpoLearner::update(const PpoBatch& batch, const Noise* noise, double learning_rate) {
   Parts& p = *parts_;
-  const auto rows = static_cast<std::int64_t>(batch.size);
-  const auto column = [&](const std::vector<float>& values) {
-    return learning::view(values, {rows}, p.device);
-  };
   std::optional<TorchNoise> drawn;
   if (noise != nullptr) drawn = learning::to_torch(*noise, p.device);
-  const TorchNetwork::Output out = p.network.forward(
-      learning::rows_of(batch.features, rows, p.device),
-      learning::rows_of(batch.present, rows, p.device), drawn ? &*drawn : nullptr);
-  // A finite stand-in for minus infinity: its gradient is 0, not undefined.
-  const Values impossible = learning::rows_of(batch.selectable, rows, p.device).eq(0);
-  const Values log_all = torch::log_softmax(out.actions.masked_fill(impossible, -1e9F), 1);
-  const Values log_now =
-      log_all.gather(1, learning::view(batch.action, {rows, 1}, p.device)).squeeze(1);
-  const Values weight = column(batch.weight);
-  const Values advantage = column(batch.advantage);
-  const Values ratio = (log_now - column(batch.log_probability)).exp();
-  const Values clipped = ratio.clamp(1.0 - p.settings.clip, 1.0 + p.settings.clip);
-  const Values gain = torch::minimum(ratio * advantage, clipped * advantage);
-  const Values critic = (out.value - column(batch.returns)).square();
-  const Values entropy = -(log_all.exp() * log_all.masked_fill(impossible, 0.0F)).sum(1);
-  const Values loss =
-      (weight * (p.settings.value_coefficient * critic - gain - p.settings.entropy * entropy))
-          .mean();
-  p.network.forget_gradient();
-  loss.backward();
-  UpdateReport report{.loss = loss.item<double>(), .mean_q = out.value.mean().item<double>()};
-  report.gradient_norm = p.adam.clipped_step(p.network.flat(), p.network.flat_gradient(),
-                                             p.settings.gradient_clip, learning_rate);
+  std::vector<Slice> slices(p.pool.size());
+  p.pool.run(static_cast<std::int64_t>(batch.size),
+             [&](std::size_t slice, std::int64_t first, std::int64_t rows) {
+               slices[slice] = p.compute(batch, first, rows, drawn ? &*drawn : nullptr);
+             });
+  UpdateReport report;
+  Values gradient;
+  for (const Slice& slice : slices) {
+    if (!slice.gradient.defined()) continue;
+    report.loss += slice.loss;
+    report.mean_q += slice.mean_value;
+    gradient = gradient.defined() ? gradient.add_(slice.gradient) : slice.gradient;
+  }
+  report.gradient_norm =
+      p.adam.clipped_step(p.network.flat(), gradient, p.settings.gradient_clip, learning_rate);
   return report;
 }
 

@@ -47,7 +47,8 @@ class PpoTrainer {
                   .gradient_clip = options_.optimizer.gradient_clip,
                   .clip = options_.ppo.clip,
                   .entropy = options_.ppo.entropy,
-                  .value_coefficient = options_.ppo.value_coefficient}),
+                  .value_coefficient = options_.ppo.value_coefficient,
+                  .threads = session_.threads()}),
         random_(RandomStream::derive(run.seed, "ppo")) {}
 
   TrainingResult train() {

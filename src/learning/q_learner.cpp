@@ -3,6 +3,7 @@
 #include <limits>
 
 #include "adam.hpp"
+#include "slices.hpp"
 #include "torch_network.hpp"
 #include "torch_values.hpp"
 
@@ -15,24 +16,40 @@ using Values = torch::Tensor;
 
 namespace {
 
-/// The batch as tensors that look into its memory.
+/// Rows of a batch as tensors that look into its memory.
 struct BatchTensors {
   Values features, present, action, returns, discount, next_features, next_present, next_selectable,
       weight;
 };
 
-BatchTensors tensors_of(const ReplayBatch& batch, torch::Device device) {
-  const auto rows = static_cast<std::int64_t>(batch.size);
-  return {learning::rows_of(batch.features, rows, device),
-          learning::rows_of(batch.present, rows, device),
-          learning::view(batch.action, {rows}, device),
-          learning::view(batch.returns, {rows}, device),
-          learning::view(batch.discount, {rows}, device),
-          learning::rows_of(batch.next_features, rows, device),
-          learning::rows_of(batch.next_present, rows, device),
-          learning::rows_of(batch.next_selectable, rows, device),
-          learning::view(batch.weight, {rows}, device)};
+BatchTensors tensors_of(const ReplayBatch& batch, std::int64_t first, std::int64_t rows,
+                        torch::Device device) {
+  const auto all = static_cast<std::int64_t>(batch.size);
+  const auto part = [&](const Values& values) { return values.narrow(0, first, rows).to(device); };
+  const torch::Device here(torch::kCPU);
+  return {part(learning::rows_of(batch.features, all, here)),
+          part(learning::rows_of(batch.present, all, here)),
+          part(learning::view(batch.action, {all}, here)),
+          part(learning::view(batch.returns, {all}, here)),
+          part(learning::view(batch.discount, {all}, here)),
+          part(learning::rows_of(batch.next_features, all, here)),
+          part(learning::rows_of(batch.next_present, all, here)),
+          part(learning::rows_of(batch.next_selectable, all, here)),
+          part(learning::view(batch.weight, {all}, here))};
 }
+
+/// What one thread found out about its rows.
+struct Slice {
+  double loss = 0.0;  ///< its part of the mean
+  double sum_q = 0.0;
+  Values errors;
+  Values gradient;
+};
+
+/// Noise of the three forward passes of an update.
+struct UpdateNoise {
+  TorchNoise target, choice, online;
+};
 
 }  // namespace
 
@@ -44,7 +61,8 @@ struct QLearner::Parts {
         online(spec, network, tensors, device),
         target(spec, network, tensors, device),
         noise(Network(spec, network, tensors).make_noise()),
-        random(RandomStream::derive(seed, "learner noise")) {
+        random(RandomStream::derive(seed, "learner noise")),
+        pool(given.threads) {
     adam.epsilon = options.adam_epsilon;
   }
 
@@ -55,20 +73,33 @@ struct QLearner::Parts {
   }
 
   /// r + gamma q_target(s', argmax q(s', .)); without double_q the target network chooses, too.
-  Values targets(const BatchTensors& batch) {
+  [[nodiscard]] Values targets(const BatchTensors& batch, const UpdateNoise& drawn) const {
     const torch::NoGradGuard no_gradient;
-    const TorchNoise target_noise = draw();
     const Values rated =
-        target.forward(batch.next_features, batch.next_present, &target_noise).actions;
+        target.forward(batch.next_features, batch.next_present, &drawn.target).actions;
     Values choice = rated;
     if (options.double_q) {
-      const TorchNoise online_noise = draw();
-      choice = online.forward(batch.next_features, batch.next_present, &online_noise).actions;
+      choice = online.forward(batch.next_features, batch.next_present, &drawn.choice).actions;
     }
     const Values masked =
         choice.masked_fill(batch.next_selectable.eq(0), -std::numeric_limits<float>::infinity());
     const Values next = rated.gather(1, masked.argmax(1, true)).squeeze(1);
     return batch.returns + batch.discount * next;
+  }
+
+  /// Loss and gradient of some rows, as their part of a mean over `all` rows.
+  [[nodiscard]] Slice compute(const BatchTensors& batch, const UpdateNoise& drawn,
+                              std::size_t all) const {
+    const Values wanted = targets(batch, drawn);
+    const Values q = online.forward(batch.features, batch.present, &drawn.online)
+                         .actions.gather(1, batch.action.unsqueeze(1))
+                         .squeeze(1);
+    const Values error = wanted - q;
+    const Values loss = (batch.weight * error * error).sum() / static_cast<double>(all);
+    return {.loss = loss.item<double>(),
+            .sum_q = q.sum().item<double>(),
+            .errors = error.detach(),
+            .gradient = online.gradient_of(loss)};
   }
 
   QLearnerOptions options;
@@ -78,6 +109,7 @@ struct QLearner::Parts {
   Noise noise;
   RandomStream random;
   Adam adam;
+  learning::SlicePool pool;
 };
 
 QLearner::QLearner(const ObservationSpec& spec, const NetworkOptions& network,
@@ -88,20 +120,25 @@ QLearner::~QLearner() = default;
 UpdateReport QLearner::update(const ReplayBatch& replayed, double learning_rate,
                               std::vector<float>& td_errors) {
   Parts& p = *parts_;
-  const BatchTensors batch = tensors_of(replayed, p.device);
-  const Values wanted = p.targets(batch);
-  const TorchNoise noise = p.draw();
-  const Values q = p.online.forward(batch.features, batch.present, &noise)
-                       .actions.gather(1, batch.action.unsqueeze(1))
-                       .squeeze(1);
-  const Values error = wanted - q;
-  const Values loss = (batch.weight * error * error).mean();
-  p.online.forget_gradient();
-  loss.backward();
-  UpdateReport report{.loss = loss.item<double>(), .mean_q = q.mean().item<double>()};
-  td_errors = learning::numbers_of(error);
-  report.gradient_norm = p.adam.clipped_step(p.online.flat(), p.online.flat_gradient(),
-                                             p.options.gradient_clip, learning_rate);
+  const UpdateNoise drawn{.target = p.draw(), .choice = p.draw(), .online = p.draw()};
+  std::vector<Slice> slices(p.pool.size());
+  p.pool.run(static_cast<std::int64_t>(replayed.size), [&](std::size_t slice, std::int64_t first,
+                                                           std::int64_t rows) {
+    slices[slice] = p.compute(tensors_of(replayed, first, rows, p.device), drawn, replayed.size);
+  });
+  UpdateReport report;
+  Values gradient;
+  td_errors.clear();
+  for (const Slice& slice : slices) {
+    if (!slice.errors.defined()) continue;
+    report.loss += slice.loss;
+    report.mean_q += slice.sum_q / static_cast<double>(replayed.size);
+    const std::vector<float> errors = learning::numbers_of(slice.errors);
+    td_errors.insert(td_errors.end(), errors.begin(), errors.end());
+    gradient = gradient.defined() ? gradient.add_(slice.gradient) : slice.gradient;
+  }
+  report.gradient_norm =
+      p.adam.clipped_step(p.online.flat(), gradient, p.options.gradient_clip, learning_rate);
   return report;
 }
 

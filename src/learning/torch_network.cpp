@@ -94,18 +94,17 @@ void TorchNetwork::load_flat(const std::vector<float>& numbers) {
   flat_.copy_(torch::tensor(numbers, torch::kFloat32));
 }
 
-Tensor TorchNetwork::flat_gradient() const {
+Tensor TorchNetwork::gradient_of(const Tensor& loss) const {
+  std::vector<Tensor> leaves;
+  for (const std::string& name : names_) leaves.push_back(at(name));
+  const auto gradients = torch::autograd::grad({loss}, leaves, {}, /*retain_graph=*/false,
+                                               /*create_graph=*/false, /*allow_unused=*/true);
   std::vector<Tensor> parts;
-  for (const std::string& name : names_) {
-    const Tensor& tensor = at(name);
-    parts.push_back(tensor.grad().defined() ? tensor.grad().reshape({-1})
-                                            : torch::zeros({tensor.numel()}, flat_.options()));
+  for (std::size_t i = 0; i < leaves.size(); ++i) {
+    parts.push_back(gradients[i].defined() ? gradients[i].reshape({-1})
+                                           : torch::zeros({leaves[i].numel()}, flat_.options()));
   }
   return torch::cat(parts);
-}
-
-void TorchNetwork::forget_gradient() {
-  for (auto& [name, tensor] : tensors_) tensor.mutable_grad() = Tensor();
 }
 
 TensorMap TorchNetwork::store() const {

@@ -39,9 +39,8 @@ class TorchNetwork {
   [[nodiscard]] const std::map<std::string, torch::Tensor>& tensors() const { return tensors_; }
   /// All of them, one behind the other: the memory that they share.
   [[nodiscard]] const torch::Tensor& flat() const { return flat_; }
-  /// Gradients since forget_gradient(), in the same order.
-  [[nodiscard]] torch::Tensor flat_gradient() const;
-  void forget_gradient();
+  /// The gradient of a loss, in the same order. Safe to use from several threads at once.
+  [[nodiscard]] torch::Tensor gradient_of(const torch::Tensor& loss) const;
   [[nodiscard]] TensorMap store() const;
   void load(const TensorMap& tensors);
   /// Throws std::invalid_argument when there are not as many numbers.

@@ -91,9 +91,7 @@ TEST(TorchNetwork, HasTheGradientThatDifferencesShow) {
   const auto loss = [&] {
     return network.forward(features, present, &torch_noise).actions.square().mean();
   };
-  network.forget_gradient();
-  loss().backward();
-  const Values gradient = network.flat_gradient();
+  const Values gradient = network.gradient_of(loss());
   torch::manual_seed(1);
   for (int i = 0; i < 5; ++i) {
     const torch::NoGradGuard no_gradient;

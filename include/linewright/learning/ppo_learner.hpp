@@ -16,6 +16,7 @@ struct PpoLearnerOptions {
   double clip = 0.2;               ///< of the ratio of probabilities
   double entropy = 0.01;           ///< weight of the entropy bonus
   double value_coefficient = 0.5;  ///< weight of the critic's squared error
+  std::size_t threads = 1;  ///< that share the batch; 0: one per core. Sums are rounded otherwise
 };
 
 /// Decisions to learn from, row by row.

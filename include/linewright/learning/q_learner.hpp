@@ -16,6 +16,7 @@ struct QLearnerOptions {
   double gradient_clip = 10.0;  ///< largest norm of the gradient of all parameters together
   bool double_q =
       true;  ///< the online network chooses the next action, the target network rates it
+  std::size_t threads = 1;  ///< that share the batch; 0: one per core. Sums are rounded otherwise
 };
 
 /// Q-learning on batches out of a replay buffer (paper, eq. 8 and Algorithm 1): online and target
