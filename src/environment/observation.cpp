@@ -40,6 +40,12 @@ class Writer {
   }
 
  private:
+  /// How many of what the order asks for are not there yet, as a share of the most that counts.
+  [[nodiscard]] float missing(std::int32_t count) const {
+    return static_cast<float>(std::clamp(state_.order - count, 0, Plan::kMostCounted)) /
+           Plan::kMostCounted;
+  }
+
   void write_workers() {
     std::size_t kind = plan_.workers.size();
     std::size_t number = 0;
@@ -139,9 +145,8 @@ class Writer {
       features[Plan::PlaceFeatures::kAvailable] =
           static_cast<float>(std::min(available, plan.most)) * plan.scale;
       if (!plan.many) continue;
-      const std::int32_t missing = std::clamp(state_.order - count, 0, Plan::kMostCounted);
       features[Plan::PlaceFeatures::kAny] = count > 0 ? 1.0F : 0.0F;
-      features[Plan::PlaceFeatures::kMissing] = static_cast<float>(missing) / Plan::kMostCounted;
+      features[Plan::PlaceFeatures::kMissing] = missing(count);
     }
   }
 
@@ -193,9 +198,7 @@ class Writer {
       features[Plan::TaskFeatures::kSelectable] = selectable ? 1.0F : 0.0F;
       features[Plan::TaskFeatures::kRunning] =
           static_cast<float>(state_.values[plan.running_value]);
-      features[Plan::TaskFeatures::kDone] =
-          std::min(1.0F, static_cast<float>(state_.values[plan.done_value]) /
-                             static_cast<float>(std::max(1, state_.order)));
+      features[Plan::TaskFeatures::kMissing] = missing(state_.values[plan.done_value]);
       if (selectable) write_ways(plan, t);
     }
     for (const Execution& execution : state_.executions) {
@@ -205,7 +208,7 @@ class Writer {
       features[Plan::TaskFeatures::kStep] =
           static_cast<float>(execution.step + 1) /
           static_cast<float>(line_.tasks[at(execution.task)].steps.size());
-      features[Plan::TaskFeatures::kMissing] = execution.missing != 0 ? 1.0F : 0.0F;
+      features[Plan::TaskFeatures::kJoiner] = execution.missing != 0 ? 1.0F : 0.0F;
     }
     if (plan_.tasks.size() > line_.tasks.size()) {
       const bool possible = !state_.events.empty();
@@ -255,13 +258,8 @@ class Writer {
 
   void write_global() {
     float* features = out_.features + plan_.global.feature;
-    const double progress = simulator_.progress(state_);
-    features[Plan::GlobalFeatures::kElapsed] =
-        static_cast<float>(state_.now) / static_cast<float>(std::max(1, state_.horizon));
-    features[Plan::GlobalFeatures::kProgress] = static_cast<float>(progress);
-    const double missing = (1.0 - progress) * state_.order;
-    features[Plan::GlobalFeatures::kMissing] =
-        static_cast<float>(std::min(missing, double{Plan::kMostCounted})) / Plan::kMostCounted;
+    features[Plan::GlobalFeatures::kTimeLeft] = ticks(state_.horizon - state_.now);
+    features[Plan::GlobalFeatures::kMissing] = missing(state_.values[plan_.global.finished_value]);
     for (const WorkerState& worker : state_.workers) {
       const float share = plan_.global.per_worker[at(worker.kind)];
       float* of_kind = features + Plan::GlobalFeatures::kFixed + 2 * at(worker.kind);

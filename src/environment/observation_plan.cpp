@@ -96,7 +96,7 @@ ObservationPlan::ObservationPlan(const Simulator& simulator) {
   add_machines(simulator);
   add_materials(simulator);
   add_tasks(simulator);
-  add_global(line);
+  add_global(simulator);
   scale_positions(line);
 }
 
@@ -224,7 +224,7 @@ void ObservationPlan::add_materials(const Simulator& simulator) {
 void ObservationPlan::add_tasks(const Simulator& simulator) {
   const LineModel& line = simulator.line();
   TokenGroup& group = add_group("tasks", TokenGroup::Encoder::kNamed);
-  Names names{"selectable", "running", "done", "since", "step", "joiner_missing"};
+  Names names{"selectable", "running", "missing", "since", "step", "joiner_missing"};
   for (const WorkerKind& kind : line.worker_kinds) {
     names.push_back("needs." + kind.name);
     names.push_back("way_of." + kind.name);
@@ -250,9 +250,12 @@ void ObservationPlan::add_tasks(const Simulator& simulator) {
   ++token_count;
 }
 
-void ObservationPlan::add_global(const LineModel& line) {
+void ObservationPlan::add_global(const Simulator& simulator) {
+  const LineModel& line = simulator.line();
+  global.finished_value =
+      simulator.index_of({VariableKind::kPlaceCount, line.order.finished_in.value});
   TokenGroup& group = add_group("global", TokenGroup::Encoder::kOwn);
-  Names names{"elapsed", "progress", "missing"};
+  Names names{"time_left", "missing"};
   for (const WorkerKind& kind : line.worker_kinds) {
     names.push_back(kind.name + ".there");
     names.push_back(kind.name + ".free");

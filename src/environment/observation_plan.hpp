@@ -74,7 +74,7 @@ struct ObservationPlan {
     bool goes = false;  ///< `station` is set
   };
   struct TaskFeatures {
-    enum Feature { kSelectable, kRunning, kDone, kSince, kStep, kMissing };
+    enum Feature { kSelectable, kRunning, kMissing, kSince, kStep, kJoiner };
     static constexpr std::size_t kFixed = 6;  ///< then per worker kind: needed, ticks away
     std::size_t feature = 0;
     std::size_t running_value = 0;
@@ -82,9 +82,10 @@ struct ObservationPlan {
     std::vector<FirstWay> ways;
   };
   struct GlobalFeatures {
-    enum Feature { kElapsed, kProgress, kMissing };
-    static constexpr std::size_t kFixed = 3;  ///< then per worker kind: there, free
+    enum Feature { kTimeLeft, kMissing };
+    static constexpr std::size_t kFixed = 2;  ///< then per worker kind: there, free
     std::size_t feature = 0;
+    std::size_t finished_value = 0;
     std::vector<float> per_worker;  ///< by kind: 1 / most
   };
 
@@ -109,7 +110,7 @@ struct ObservationPlan {
   void add_machines(const Simulator& simulator);
   void add_materials(const Simulator& simulator);
   void add_tasks(const Simulator& simulator);
-  void add_global(const LineModel& line);
+  void add_global(const Simulator& simulator);
   void add_operation(const Simulator& simulator, std::size_t operation, std::size_t feature,
                      std::vector<std::string>& names);
   void scale_positions(const LineModel& line);
