@@ -19,11 +19,12 @@ export GTEST_COLOR := no
 export CLICOLOR := 0
 endif
 
-.PHONY: help demo test asan tsan format format-check tidy bench fuzz clean
-.PHONY: deps-build deps-fuzz deps-lint deps-bench deps-test
+.PHONY: help demo train test asan tsan format format-check tidy bench fuzz clean
+.PHONY: deps-build deps-learn deps-fuzz deps-lint deps-bench deps-test
 
 help:
 	@echo "make demo               build the command line tool, simulate the duct line, draw its Gantt chart"
+	@echo "make train              build the trainer (installs LibTorch), train EBQ-N on the duct line, evaluate it"
 	@echo "make test               build everything, run all tests, fuzz for 20 seconds"
 	@echo "make asan               run the tests under AddressSanitizer and UndefinedBehaviorSanitizer"
 	@echo "make tsan               run the tests under ThreadSanitizer"
@@ -39,11 +40,14 @@ deps-fuzz:
 	@tools/install_dependencies.sh build fuzz
 deps-lint:
 	@tools/install_dependencies.sh lint
-# OMPL is optional, and CMake looks for it only when it configures: so do `test` and `bench`.
+# LibTorch and OMPL are optional, and CMake looks for them only when it configures: so do `train`,
+# `test` and `bench`.
+deps-learn:
+	@tools/install_dependencies.sh build learn
 deps-bench:
-	@tools/install_dependencies.sh build bench
+	@tools/install_dependencies.sh build learn bench
 deps-test:
-	@tools/install_dependencies.sh build fuzz bench
+	@tools/install_dependencies.sh build learn fuzz bench
 
 # Ninja configures again by itself when a CMake file or the set of sources changes.
 build/%/build.ninja: CMakePresets.json | deps-build
@@ -59,6 +63,16 @@ demo: build/release/build.ninja
 	@build/release/linewright simulate scenarios/duct_line.yaml --humans 2 --robots 2 --order 5 \
 	  --log out/duct_line.jsonl --gantt out/duct_line.html
 	$(SAY) "Done: open out/duct_line.html in a browser; out/duct_line.jsonl holds the event log"
+
+train: deps-learn build/release/build.ninja
+	@cmake --preset release --log-level=WARNING >/dev/null
+	$(SAY) "Building the trainer"
+	@cmake --build --preset release --parallel $(JOBS) --target linewright linewright-train
+	$(SAY) "Training EBQ-N on the duct line: about ten minutes on two cores"
+	@build/release/linewright train --algo ebq-n --scenario scenarios/duct_line.yaml --seed 1 --out out/train
+	$(SAY) "Evaluating it: nine crews, 100 starts each"
+	@build/release/linewright evaluate scenarios/duct_line.yaml --order 5 --trials 100 \
+	  --planner policy:out/train/ebq-n-s1/best.safetensors
 
 test: deps-test build/release/build.ninja
 	@cmake --preset release --log-level=WARNING >/dev/null

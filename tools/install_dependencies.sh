@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Installs the Debian/Ubuntu packages that are missing, and does nothing when none is.
-# usage: tools/install_dependencies.sh [build] [fuzz] [lint] [bench]     (default: build)
+# usage: tools/install_dependencies.sh [build] [learn] [fuzz] [lint] [bench]     (default: build)
 set -euo pipefail
 
 packages=()
@@ -11,6 +11,9 @@ for group in "${@:-build}"; do
       packages+=(g++ cmake ninja-build libyaml-cpp-dev libcli11-dev libfmt-dev nlohmann-json3-dev
         libpng-dev libgtest-dev libbenchmark-dev)
       programs+=(c++ cmake ninja)
+      ;;
+    learn)  # LibTorch, a BLAS that is not 10 to 20 times slower than it could be, and oneDNN
+      packages+=(libtorch-dev libopenblas0-openmp libdnnl-dev)
       ;;
     fuzz)
       packages+=(clang-14 libclang-rt-14-dev)
@@ -24,7 +27,7 @@ for group in "${@:-build}"; do
       packages+=(libompl-dev)
       ;;
     *)
-      echo "unknown group '$group'; the groups are: build fuzz lint bench" >&2
+      echo "unknown group '$group'; the groups are: build learn fuzz lint bench" >&2
       exit 2
       ;;
   esac

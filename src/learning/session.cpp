@@ -18,7 +18,7 @@ constexpr const char* kCheckpointFile = "checkpoint.bin";
 constexpr const char* kBestFile = "best.safetensors";
 
 EpisodePlan plan_of(const TrainingRun& run) {
-  return {.crews = training_crews(run.scenario->line, run.options.run),
+  return {.crews = training_crews(*run.scenario, run.options.run),
           .order = run.options.run.crews == RunSettings::Crews::kInTurn
                        ? EpisodePlan::Order::kInTurn
                        : EpisodePlan::Order::kSampled,

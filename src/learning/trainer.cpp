@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "dqn_trainer.hpp"
@@ -12,7 +13,38 @@
 
 namespace linewright {
 
-std::vector<RunOptions> training_crews(const LineModel& line, const RunSettings& settings) {
+namespace {
+
+/// Makespans of some runs that finished without a limit.
+std::vector<Tick> trial_makespans(const Scenario& scenario, RunOptions crew, const char* planner) {
+  constexpr std::size_t kTrials = 16;
+  crew.horizon = kMaxTicks;
+  const auto trials = run_trials(scenario, {.planner = planner},
+                                 {.crews = {crew}, .trials = kTrials, .threads = 1});
+  std::vector<Tick> makespans;
+  for (const TrialResult& trial : trials[0]) {
+    if (trial.status == RunStatus::kFinished) makespans.push_back(trial.makespan);
+  }
+  return makespans;
+}
+
+Tick scenario_horizon(const LineModel& line, const RunOptions& crew) {
+  return line.horizon.ticks(crew.order.value_or(line.order.quantity));
+}
+
+/// `factor` times what the simplest rule takes: tight enough that a success means something.
+std::optional<Tick> horizon_in_proportion(const Scenario& scenario, const RunOptions& crew,
+                                          double factor) {
+  if (factor == 0.0) return std::nullopt;
+  const std::vector<Tick> makespans = trial_makespans(scenario, crew, "first");
+  if (makespans.empty()) return std::nullopt;
+  double sum = 0.0;
+  for (const Tick makespan : makespans) sum += makespan;
+  const double ticks = std::ceil(factor * sum / static_cast<double>(makespans.size()));
+  return static_cast<Tick>(std::min<double>(ticks, scenario_horizon(scenario.line, crew)));
+}
+
+std::vector<RunOptions> all_crews(const LineModel& line) {
   std::vector<RunOptions> crews(1);
   for (const WorkerKind& kind : line.worker_kinds) {
     std::vector<RunOptions> more;
@@ -24,29 +56,15 @@ std::vector<RunOptions> training_crews(const LineModel& line, const RunSettings&
     }
     crews = std::move(more);
   }
-  for (RunOptions& crew : crews) {
-    std::vector<std::pair<std::string, std::int32_t>> counts;
-    for (std::size_t k = 0; k < line.worker_kinds.size(); ++k) {
-      counts.emplace_back(line.worker_kinds[k].name, *crew.workers[k]);
-    }
-    crew.order = settings.order;
-    crew.horizon = horizon_for(settings, counts);
-  }
   return crews;
 }
 
-namespace {
-
 /// The shortest of some runs without a limit, by rule and at random; none finished: 0.
-Tick shortest_trial(const Scenario& scenario, RunOptions crew) {
-  crew.horizon = kMaxTicks;
+Tick shortest_trial(const Scenario& scenario, const RunOptions& crew) {
   Tick shortest = 0;
   for (const char* planner : {"first", "random"}) {
-    const auto trials =
-        run_trials(scenario, {.planner = planner}, {.crews = {crew}, .trials = 16, .threads = 1});
-    for (const TrialResult& trial : trials[0]) {
-      if (trial.status != RunStatus::kFinished) continue;
-      shortest = shortest == 0 ? trial.makespan : std::min(shortest, trial.makespan);
+    for (const Tick makespan : trial_makespans(scenario, crew, planner)) {
+      shortest = shortest == 0 ? makespan : std::min(shortest, makespan);
     }
   }
   return shortest;
@@ -55,9 +73,8 @@ Tick shortest_trial(const Scenario& scenario, RunOptions crew) {
 /// Learning from failures alone leads nowhere: says so before hours are spent on it.
 void refuse_short_horizons(const TrainingRun& run) {
   const LineModel& line = run.scenario->line;
-  for (const RunOptions& crew : training_crews(line, run.options.run)) {
-    const Tick allowed =
-        crew.horizon.value_or(line.horizon.ticks(crew.order.value_or(line.order.quantity)));
+  for (const RunOptions& crew : training_crews(*run.scenario, run.options.run)) {
+    const Tick allowed = crew.horizon.value_or(scenario_horizon(line, crew));
     const Tick shortest = shortest_trial(*run.scenario, crew);
     // What is learned may be faster than what was tried, but hardly by half.
     if (shortest == 0 || shortest / 3 * 2 <= allowed) continue;
@@ -76,6 +93,23 @@ void refuse_short_horizons(const TrainingRun& run) {
 }
 
 }  // namespace
+
+std::vector<RunOptions> training_crews(const Scenario& scenario, const RunSettings& settings) {
+  const LineModel& line = scenario.line;
+  std::vector<RunOptions> crews = all_crews(line);
+  for (RunOptions& crew : crews) {
+    std::vector<std::pair<std::string, std::int32_t>> counts;
+    for (std::size_t k = 0; k < line.worker_kinds.size(); ++k) {
+      counts.emplace_back(line.worker_kinds[k].name, *crew.workers[k]);
+    }
+    crew.order = settings.order;
+    crew.horizon = horizon_for(settings, counts);
+    if (!crew.horizon) {
+      crew.horizon = horizon_in_proportion(scenario, crew, settings.horizon_factor);
+    }
+  }
+  return crews;
+}
 
 TrainingResult train(const TrainingRun& run, const TrainingHooks& hooks) {
   check_training_options(run.options);

@@ -255,12 +255,21 @@ TEST(TrainingCrews, AreAllCombinationsWithTheirHorizons) {
   RunSettings settings;
   settings.order = 4;
   settings.horizon = {{{{"human", 1}}, 1250}, {{}, 1000}};
-  const std::vector<RunOptions> crews = training_crews(duct.line, settings);
+  const std::vector<RunOptions> crews = training_crews(duct, settings);
   ASSERT_EQ(crews.size(), 9U);
   EXPECT_EQ(crews[2].workers, (std::vector<std::optional<std::int32_t>>{1, 3}));
   EXPECT_EQ(crews[2].horizon, 1250);
   EXPECT_EQ(crews[3].horizon, 1000);
   EXPECT_EQ(crews[3].order, 4);
+}
+
+TEST(TrainingCrews, HaveAHorizonInProportionToTheRuleThatTakesTheFirstTask) {
+  RunSettings settings;
+  EXPECT_EQ(training_crews(oven(), settings)[0].horizon, 278);  // 1.25 * 222, rounded up
+  settings.horizon_factor = 10.0;
+  EXPECT_EQ(training_crews(oven(), settings)[0].horizon, 400);  // the scenario's
+  settings.horizon_factor = 0.0;
+  EXPECT_EQ(training_crews(oven(), settings)[0].horizon, std::nullopt);
 }
 
 }  // namespace

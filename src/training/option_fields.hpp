@@ -82,6 +82,7 @@ void visit_options(Options& o, Visitor& visitor) {
   visitor.text("allocator", o.run.allocator);
   visitor.order("order", o.run.order, 1, 1'000'000);
   visitor.horizon("horizon", o.run.horizon, kMaxTicks);
+  visitor.real("horizon_factor", o.run.horizon_factor, 0.0, 100.0);
   visitor.choice("crews", o.run.crews, {"in_turn", "sampled"});
   visitor.whole("evaluate_every", o.run.evaluate_every, 1, kBillion);
   visitor.whole("evaluation_trials", o.run.evaluation_trials, 1, 10'000);

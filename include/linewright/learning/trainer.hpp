@@ -82,8 +82,9 @@ struct TrainingResult {
 [[nodiscard]] TrainingResult train(const TrainingRun& run, const TrainingHooks& hooks);
 
 /// Every crew of the scenario (all combinations of its counts, the first kind varying slowest),
-/// with the order and the horizon of the options.
-[[nodiscard]] std::vector<RunOptions> training_crews(const LineModel& line,
+/// with the order and the horizon of the options. Deterministic, though some of it may come from
+/// trial runs.
+[[nodiscard]] std::vector<RunOptions> training_crews(const Scenario& scenario,
                                                      const RunSettings& settings);
 
 }  // namespace linewright

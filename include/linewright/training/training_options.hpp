@@ -88,8 +88,11 @@ struct RunSettings {
   std::int32_t threads = 0;        ///< 0: one per core, to 1024; the result does not depend on it
   std::string allocator = "sap";   ///< who does the chosen task
   std::optional<std::int32_t> order;  ///< quantity ordered, 1 to 1e6; none: the scenario's
-  /// The first rule that fits the crew counts; none fits: the scenario's horizon.
+  /// The first rule that fits the crew counts.
   std::vector<HorizonRule> horizon;
+  /// Where no rule fits: this many times the mean makespan of the planner `first` with the same
+  /// crew, but never more than the scenario's horizon; 0: the scenario's horizon. 0 to 100.
+  double horizon_factor = 1.25;
   Crews crews = Crews::kInTurn;           ///< all of the scenario's one after the other, or drawn
   std::int64_t evaluate_every = 500;      ///< updates between greedy evaluations, 1 to 1e9
   std::int32_t evaluation_trials = 10;    ///< runs per crew in each, 1 to 10000; time grows with it
@@ -108,7 +111,7 @@ struct TrainingOptions {
   RunSettings run;
 };
 
-/// Ticks allowed for a crew of {kind, count}; none: the scenario's horizon holds.
+/// Ticks that the rules allow a crew of {kind, count}; none: no rule fits.
 [[nodiscard]] std::optional<Tick> horizon_for(
     const RunSettings& run, const std::vector<std::pair<std::string, std::int32_t>>& crew);
 
