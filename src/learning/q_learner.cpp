@@ -49,6 +49,10 @@ struct Slice {
 /// Noise of the three forward passes of an update.
 struct UpdateNoise {
   TorchNoise target, choice, online;
+
+  [[nodiscard]] UpdateNoise rows(std::int64_t first, std::int64_t count) const {
+    return {target.rows(first, count), choice.rows(first, count), online.rows(first, count)};
+  }
 };
 
 }  // namespace
@@ -66,10 +70,10 @@ struct QLearner::Parts {
     adam.epsilon = options.adam_epsilon;
   }
 
-  /// Fresh noise for a forward pass: online and target networks draw their own.
-  TorchNoise draw() {
-    sample_noise(random, noise);
-    return learning::to_torch(noise, device);
+  /// Fresh noise for a forward pass: for every sample its own, or one batch would pull all weights
+  /// towards one noise.
+  TorchNoise draw(std::size_t samples) {
+    return learning::draw_noise(noise, samples, random, device);
   }
 
   /// r + gamma q_target(s', argmax q(s', .)); without double_q the target network chooses, too.
@@ -120,12 +124,15 @@ QLearner::~QLearner() = default;
 UpdateReport QLearner::update(const ReplayBatch& replayed, double learning_rate,
                               std::vector<float>& td_errors) {
   Parts& p = *parts_;
-  const UpdateNoise drawn{.target = p.draw(), .choice = p.draw(), .online = p.draw()};
+  const UpdateNoise drawn{.target = p.draw(replayed.size),
+                          .choice = p.draw(replayed.size),
+                          .online = p.draw(replayed.size)};
   std::vector<Slice> slices(p.pool.size());
-  p.pool.run(static_cast<std::int64_t>(replayed.size), [&](std::size_t slice, std::int64_t first,
-                                                           std::int64_t rows) {
-    slices[slice] = p.compute(tensors_of(replayed, first, rows, p.device), drawn, replayed.size);
-  });
+  p.pool.run(static_cast<std::int64_t>(replayed.size),
+             [&](std::size_t slice, std::int64_t first, std::int64_t rows) {
+               slices[slice] = p.compute(tensors_of(replayed, first, rows, p.device),
+                                         drawn.rows(first, rows), replayed.size);
+             });
   UpdateReport report;
   Values gradient;
   td_errors.clear();

@@ -10,10 +10,6 @@ namespace {
 
 using torch::Tensor;
 
-Tensor vector_of(const std::vector<float>& values, torch::Device device) {
-  return torch::tensor(values, torch::kFloat32).to(device);
-}
-
 /// By token and feature: the row of the group's weights, or `total`, where a row of zeros stands.
 Tensor padded_rows(const TokenGroup& group, std::int64_t most, std::int64_t total) {
   std::vector<std::int64_t> rows;
@@ -29,11 +25,42 @@ Tensor padded_rows(const TokenGroup& group, std::int64_t most, std::int64_t tota
 }  // namespace
 
 TorchNoise to_torch(const Noise& noise, torch::Device device) {
+  const auto row = [&](const std::vector<float>& values) {
+    return torch::tensor(values, torch::kFloat32).unsqueeze(0).to(device);
+  };
   const auto layer = [&](const LayerNoise& from) {
-    return TorchNoise::Layer{vector_of(from.in, device).unsqueeze(1), vector_of(from.out, device)};
+    return TorchNoise::Layer{row(from.in), row(from.out)};
   };
   return {layer(noise.advantage_hidden), layer(noise.advantage_out), layer(noise.value_hidden),
           layer(noise.value_out)};
+}
+
+TorchNoise draw_noise(const Noise& sizes, std::size_t samples, RandomStream& random,
+                      torch::Device device) {
+  const auto rows = [&](std::size_t width) {
+    std::vector<float> values(samples * width);
+    sample_scaled_normal(random, values);
+    return torch::tensor(values, torch::kFloat32)
+        .view({static_cast<std::int64_t>(samples), static_cast<std::int64_t>(width)})
+        .to(device);
+  };
+  const auto layer = [&](const LayerNoise& of) {
+    const Tensor in = rows(of.in.size());
+    return TorchNoise::Layer{in, rows(of.out.size())};
+  };
+  TorchNoise noise;
+  noise.advantage_hidden = layer(sizes.advantage_hidden);
+  noise.advantage_out = layer(sizes.advantage_out);
+  noise.value_hidden = layer(sizes.value_hidden);
+  noise.value_out = layer(sizes.value_out);
+  return noise;
+}
+
+TorchNoise TorchNoise::rows(std::int64_t first, std::int64_t count) const {
+  const auto part = [&](const Layer& layer) {
+    return Layer{layer.in.narrow(0, first, count), layer.out.narrow(0, first, count)};
+  };
+  return {part(advantage_hidden), part(advantage_out), part(value_hidden), part(value_out)};
 }
 
 TorchNetwork::TorchNetwork(const ObservationSpec& spec, const NetworkOptions& options,
@@ -128,10 +155,13 @@ Tensor TorchNetwork::linear(const Tensor& x, const std::string& name) const {
 Tensor TorchNetwork::noisy(const Tensor& x, const std::string& name,
                            const TorchNoise::Layer* noise) const {
   if (!options_.noisy || noise == nullptr) return linear(x, name);
-  const Tensor weight =
-      at(name + ".weight") + at(name + ".weight_sigma") * (noise->in * noise->out);
-  const Tensor bias = at(name + ".bias") + at(name + ".bias_sigma") * noise->out;
-  return torch::matmul(x, weight) + bias;
+  // x (W + S * (n_in^T n_out)) = x W + ((x * n_in) S) * n_out, so that every sample can have its
+  // own.
+  const bool queries = x.dim() == 3;
+  const Tensor in = queries ? noise->in.unsqueeze(1) : noise->in;
+  const Tensor out = queries ? noise->out.unsqueeze(1) : noise->out;
+  return linear(x, name) +
+         (torch::matmul(x * in, at(name + ".weight_sigma")) + at(name + ".bias_sigma")) * out;
 }
 
 Tensor TorchNetwork::norm(const Tensor& x, const std::string& name) const {

@@ -9,16 +9,24 @@
 
 namespace linewright::learning {
 
-/// Noise of one forward pass as tensors, in the order of Noise.
+/// Noise of one forward pass, f(e) of every noisy layer: a row for each sample, or one row for all.
 struct TorchNoise {
   struct Layer {
-    torch::Tensor in;   ///< [in, 1]
-    torch::Tensor out;  ///< [out]
+    torch::Tensor in;   ///< [B or 1, in]
+    torch::Tensor out;  ///< [B or 1, out]
   };
   Layer advantage_hidden, advantage_out, value_hidden, value_out;
+
+  /// The rows of some samples.
+  [[nodiscard]] TorchNoise rows(std::int64_t first, std::int64_t count) const;
 };
 
+/// One noise for all samples.
 [[nodiscard]] TorchNoise to_torch(const Noise& noise, torch::Device device);
+
+/// Independent noise for each of `samples`. `sizes` is the noise of such a network.
+[[nodiscard]] TorchNoise draw_noise(const Noise& sizes, std::size_t samples, RandomStream& random,
+                                    torch::Device device);
 
 /// The network of linewright/network/network.hpp in LibTorch, so that it can learn.
 class TorchNetwork {
