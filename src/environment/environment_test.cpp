@@ -66,6 +66,63 @@ TEST(Environment, RefusesAnActionThatIsNotSelectable) {
   EXPECT_THROW(Environment(simulator, "nobody", {}), ScenarioError);
 }
 
+/// Rewards and the result of an episode by the first selectable task.
+struct Played {
+  double reward = 0.0;
+  Tick makespan = 0;
+  Tick ended = 0;  ///< on the clock of the run, pauses included
+  bool success = false;
+};
+
+Played play(Environment& environment, const RunSetup& setup, std::uint64_t seed) {
+  Played played;
+  EXPECT_TRUE(environment.reset(setup, seed));
+  while (!environment.state().ended()) {
+    const StepResult result = environment.step(first_selectable(environment.state(), 2));
+    played.reward += double(result.reward);
+    played.success = result.success;
+  }
+  played.makespan = environment.makespan();
+  played.ended = environment.state().now;
+  return played;
+}
+
+TEST(Environment, DoesNotCountPauses) {
+  const Simulator simulator = small_line();
+  const RunSetup setup = sample_setup(simulator.line(), {.workers = {1, 1}}, 1);
+  const RewardOptions rewards{.eta1 = 0.01, .eta2 = 5.0, .eta3 = 2.0};
+  Environment steady(simulator, "sap", rewards);
+  Environment pausing(simulator, "sap", rewards, {.episodes = 1.0, .decisions = 0.5, .most = 50});
+  const Played without = play(steady, setup, 1);
+  Tick longest = 0;
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    const Played with = play(pausing, setup, seed);
+    EXPECT_TRUE(with.success);
+    EXPECT_EQ(pausing.horizon(), setup.horizon);
+    // One person does one thing after the other: a pause can only wait, never help.
+    EXPECT_LE(with.makespan, without.makespan);
+    EXPECT_GE(with.ended, with.makespan);
+    // Reward and makespan agree on what was counted.
+    EXPECT_NEAR(with.reward - without.reward, 0.01 * (without.makespan - with.makespan), 1e-4);
+    longest = std::max(longest, with.ended - with.makespan);
+  }
+  EXPECT_GT(longest, 50);
+  EXPECT_EQ(play(pausing, setup, 3).ended, play(pausing, setup, 3).ended);
+}
+
+TEST(Environment, FailsBehindTheHorizonWithPausesLeftOut) {
+  const Simulator simulator = small_line();
+  const RunSetup setup = sample_setup(simulator.line(), {.workers = {1, 1}, .horizon = 40}, 1);
+  Environment pausing(simulator, "sap", {.eta1 = 0.01, .eta2 = 5.0, .eta3 = 0.0},
+                      {.episodes = 1.0, .decisions = 0.5, .most = 50});
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    const Played played = play(pausing, setup, seed);
+    EXPECT_FALSE(played.success);
+    EXPECT_EQ(played.makespan, 40);
+    EXPECT_NEAR(played.reward, -0.01 * 40 - 5.0, 0.02);  // the first decision is due at once
+  }
+}
+
 /// Memory for the observations of some runs.
 struct Rows {
   Rows(const ObservationSpec& spec, std::size_t runs)

@@ -20,14 +20,14 @@ PlannedEpisode episode_of(const EpisodePlan& plan, std::uint64_t number) {
 
 VectorEnvironment::VectorEnvironment(const Simulator& simulator, EpisodePlan plan,
                                      const std::string& allocator, const RewardOptions& rewards,
-                                     std::size_t runs, WorkerPool& pool)
+                                     std::size_t runs, WorkerPool& pool, const PauseOptions& pauses)
     : simulator_(simulator), encoder_(simulator), plan_(std::move(plan)), pool_(pool) {
   if (plan_.crews.empty()) throw ScenarioError({}, "the plan of episodes has no crew", "");
   for (const RunOptions& crew : plan_.crews) {
     static_cast<void>(sample_setup(simulator_.line(), crew, plan_.seed));
   }
   for (std::size_t i = 0; i < runs; ++i) {
-    runs_.push_back({std::make_unique<Environment>(simulator_, allocator, rewards), 0});
+    runs_.push_back({std::make_unique<Environment>(simulator_, allocator, rewards, pauses), 0});
   }
   steps_.resize(runs);
 }
@@ -72,7 +72,7 @@ void VectorEnvironment::step_one(std::size_t run, std::size_t action, Observatio
   step.result = environment.step(action);
   if (step.result.ended) {
     step.makespan = environment.makespan();
-    step.horizon = environment.state().horizon;
+    step.horizon = environment.horizon();
     step.progress = simulator_.progress(environment.state());
     step.decisions = environment.state().decisions;
     start(run, step.episode + size());

@@ -8,11 +8,12 @@
 namespace linewright::learning {
 
 EpisodeReplayer::EpisodeReplayer(const Simulator& simulator, EpisodePlan plan,
-                                 const std::string& allocator, const RewardOptions& rewards)
+                                 const std::string& allocator, const RewardOptions& rewards,
+                                 const PauseOptions& pauses)
     : simulator_(simulator),
       plan_(std::move(plan)),
       encoder_(simulator),
-      environment_(simulator, allocator, rewards) {}
+      environment_(simulator, allocator, rewards, pauses) {}
 
 Episode EpisodeReplayer::play(std::uint64_t number, const std::vector<std::uint16_t>& actions) {
   Episode episode;
@@ -34,7 +35,7 @@ Episode EpisodeReplayer::play(std::uint64_t number, const std::vector<std::uint1
     const StepResult step = environment_.step(action);
     episode.reward.back() = step.reward;
     if (step.ended) {
-      episode.outcome = {step.success, environment_.makespan(), environment_.state().horizon};
+      episode.outcome = {step.success, environment_.makespan(), environment_.horizon()};
     }
   }
   return episode;

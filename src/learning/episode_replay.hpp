@@ -14,7 +14,7 @@ class EpisodeReplayer {
  public:
   /// The simulator must outlive it.
   EpisodeReplayer(const Simulator& simulator, EpisodePlan plan, const std::string& allocator,
-                  const RewardOptions& rewards);
+                  const RewardOptions& rewards, const PauseOptions& pauses);
 
   /// Episode `number` with these decisions, finished or not. Throws std::invalid_argument when one
   /// of them cannot be taken: the decisions are not of this plan.

@@ -45,7 +45,8 @@ Session::Session(const TrainingRun& run, const TrainingHooks& hooks)
       plan_(plan_of(run)),
       pool_(static_cast<std::size_t>(run.options.run.threads)),
       environments_(simulator_, plan_, run.options.run.allocator, run.options.reward,
-                    static_cast<std::size_t>(run.options.run.environments), pool_),
+                    static_cast<std::size_t>(run.options.run.environments), pool_,
+                    run.options.run.pauses),
       collector_(environments_, pool_, run.seed),
       interval_(4, 0.0) {
   status_.most_updates = run.options.optimizer.updates;
@@ -53,7 +54,8 @@ Session::Session(const TrainingRun& run, const TrainingHooks& hooks)
 }
 
 EpisodeReplayer Session::replayer() const {
-  return {simulator_, plan_, run_.options.run.allocator, run_.options.reward};
+  return {simulator_, plan_, run_.options.run.allocator, run_.options.reward,
+          run_.options.run.pauses};
 }
 
 void Session::restore_runs(const Checkpoint& checkpoint) {

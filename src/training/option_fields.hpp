@@ -83,6 +83,9 @@ void visit_options(Options& o, Visitor& visitor) {
   visitor.order("order", o.run.order, 1, 1'000'000);
   visitor.horizon("horizon", o.run.horizon, kMaxTicks);
   visitor.real("horizon_factor", o.run.horizon_factor, 0.0, 100.0);
+  visitor.real("pause_episodes", o.run.pauses.episodes, 0.0, 1.0);
+  visitor.real("pause_decisions", o.run.pauses.decisions, 0.0, 1.0);
+  visitor.whole("pause_ticks", o.run.pauses.most, 1, 1'000'000);
   visitor.choice("crews", o.run.crews, {"in_turn", "sampled"});
   visitor.whole("evaluate_every", o.run.evaluate_every, 1, kBillion);
   visitor.whole("evaluation_trials", o.run.evaluation_trials, 1, 10'000);

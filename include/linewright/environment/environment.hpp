@@ -6,6 +6,7 @@
 #include <string>
 
 #include "linewright/allocation/allocator.hpp"
+#include "linewright/base/random.hpp"
 #include "linewright/environment/observation.hpp"
 #include "linewright/simulation/run_setup.hpp"
 #include "linewright/simulation/simulator.hpp"
@@ -18,6 +19,16 @@ struct RewardOptions {
   double eta1 = 0.001;  ///< paid per tick since the last decision, >= 0
   double eta2 = 1.0;    ///< won when the order is finished, paid when the run ends without; >= 0
   double eta3 = 0.2;    ///< won for the whole order, in shares as it is finished, >= 0
+};
+
+/// Pauses in which nobody decides, as on a floor where people are not always ready at once. What
+/// they cost is not counted: neither reward nor makespan nor horizon know of them. While learning
+/// they lead to states that a line which never stops does not come to, such as an empty line with
+/// one product left, and so to policies that also fit other orders.
+struct PauseOptions {
+  double episodes = 0.0;   ///< share of the episodes that have pauses, 0 to 1
+  double decisions = 0.3;  ///< share of the decisions in these before which there is one, 0 to 1
+  Tick most = 200;         ///< ticks of the longest; each length from 1 on is as likely
 };
 
 /// What a decision led to.
@@ -34,7 +45,7 @@ class Environment {
  public:
   /// The simulator must outlive the environment. Throws ScenarioError for an unknown allocator.
   Environment(const Simulator& simulator, const std::string& allocator,
-              const RewardOptions& rewards);
+              const RewardOptions& rewards, const PauseOptions& pauses = {});
 
   /// Starts a new run and goes on to its first decision. Returns false when it ends without any.
   bool reset(const RunSetup& setup, std::uint64_t seed);
@@ -48,13 +59,21 @@ class Environment {
 
   /// Ticks that the run took; of a failed one its horizon.
   [[nodiscard]] Tick makespan() const;
+  [[nodiscard]] Tick horizon() const { return state_.horizon - horizon_added_; }
 
  private:
   StepResult rewarded(Tick before, double progress_before);
+  RunStatus advance();
 
   const Simulator& simulator_;
   std::unique_ptr<Allocator> allocator_;
   RewardOptions rewards_;
+  PauseOptions pauses_;
+  RandomStream random_{0};
+  bool failed_ = false;
+  bool pausing_ = false;    ///< this episode has pauses
+  Tick paused_ = 0;         ///< so far
+  Tick horizon_added_ = 0;  ///< room for them
   SimulationState state_;
 };
 

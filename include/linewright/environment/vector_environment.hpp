@@ -61,7 +61,8 @@ class VectorEnvironment {
   /// The simulator and the pool must outlive it. Throws ScenarioError for a crew or an allocator
   /// that does not exist, and for a plan in which a run ends before its first decision.
   VectorEnvironment(const Simulator& simulator, EpisodePlan plan, const std::string& allocator,
-                    const RewardOptions& rewards, std::size_t runs, WorkerPool& pool);
+                    const RewardOptions& rewards, std::size_t runs, WorkerPool& pool,
+                    const PauseOptions& pauses = {});
 
   [[nodiscard]] std::size_t size() const { return runs_.size(); }
   [[nodiscard]] const ObservationSpec& spec() const { return encoder_.spec(); }

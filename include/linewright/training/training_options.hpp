@@ -93,6 +93,7 @@ struct RunSettings {
   /// Where no rule fits: this many times the mean makespan of the planner `first` with the same
   /// crew, but never more than the scenario's horizon; 0: the scenario's horizon. 0 to 100.
   double horizon_factor = 1.25;
+  PauseOptions pauses{.episodes = 0.2};
   Crews crews = Crews::kInTurn;           ///< all of the scenario's one after the other, or drawn
   std::int64_t evaluate_every = 500;      ///< updates between greedy evaluations, 1 to 1e9
   std::int32_t evaluation_trials = 10;    ///< runs per crew in each, 1 to 10000; time grows with it
