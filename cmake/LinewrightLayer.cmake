@@ -77,11 +77,19 @@ function(linewright_choose_instructions)
 endfunction()
 
 # linewright_add_test(<program> <source>...): a GoogleTest program whose tests run in the repository
-# root; LINEWRIGHT_SOURCE_DIR is that root as a string literal.
+# root; LINEWRIGHT_SOURCE_DIR is that root as a string literal. In release builds the tests themselves
+# are optimised less than what they test, and share a compiled header: half the time to build them.
 function(linewright_add_test name)
   add_executable(${name} ${ARGN})
   target_link_libraries(${name} PRIVATE linewright_options GTest::gtest_main)
   target_compile_definitions(${name} PRIVATE LINEWRIGHT_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
+  if(CMAKE_BUILD_TYPE STREQUAL "Release")
+    target_compile_options(${name} PRIVATE -O1)
+    if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")  # GCC 12 sees what is not there in std::string (bug 105651)
+      target_compile_options(${name} PRIVATE -Wno-array-bounds -Wno-restrict -Wno-stringop-overflow)
+    endif()
+    target_precompile_headers(${name} PRIVATE <gtest/gtest.h>)
+  endif()
   gtest_discover_tests(${name}
     TEST_PREFIX "${name}."
     WORKING_DIRECTORY "${PROJECT_SOURCE_DIR}"

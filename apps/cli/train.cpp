@@ -26,6 +26,8 @@ void start_trainer(char** arguments) {
                         "install libtorch-dev (make demo does) and build again; trained policies "
                         "work without it");
   }
+  static char name[] = "linewright-train";  // what the list of processes shows
+  arguments[0] = name;
   execv(program.c_str(), arguments);
   throw ScenarioError(program.string(), fmt::format("cannot be started: {}", std::strerror(errno)),
                       "");

@@ -7,6 +7,7 @@
 #include <chrono>
 #include <filesystem>
 
+#include "folder_lock.hpp"
 #include "linewright/base/diagnostic.hpp"
 #include "linewright/learning/runtime.hpp"
 #include "linewright/learning/trainer.hpp"
@@ -122,6 +123,7 @@ int train_one(const TrainArguments& arguments, const TrainingOptions& options,
                   .folder = arguments.out + "/" + name,
                   .resume = arguments.resume,
                   .metadata = {{"version", LINEWRIGHT_VERSION}}};
+  const FolderLock lock(run.folder);
   const TrainingResult result =
       train(run, {.progress = [&](const TrainingStatus& status) { display.update(status); },
                   .wall_time_s = wall_time_s,
@@ -162,14 +164,13 @@ void add_options(CLI::App& app, TrainArguments& arguments) {
 }
 
 int run(const TrainArguments& arguments) {
-  TrainingOptions options =
+  const TrainingOptions options =
       load_training_options(options_file(arguments.algorithm, "algorithm"),
                             options_file(arguments.preset, "preset"), arguments.settings);
   const Scenario scenario = load_scenario(arguments.scenario, {.cancel = &interrupted()});
   for (const Diagnostic& warning : scenario.warnings)
     fmt::print(stderr, "{}\n", to_string(warning));
   const LearningRuntime runtime = prepare_learning(static_cast<std::size_t>(options.run.threads));
-  options.run.threads = static_cast<std::int32_t>(runtime.threads);
   if (!arguments.quiet) {
     fmt::print(stderr, "LibTorch {} on {}, {} threads, matrices by {}\n", runtime.torch_version,
                runtime.device, runtime.threads, runtime.blas);

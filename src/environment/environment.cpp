@@ -60,7 +60,9 @@ StepResult Environment::step(std::size_t action) {
   }
   const Tick paused_before = paused_;
   if (!state_.ended()) advance();
-  return rewarded(before + paused_ - paused_before, progress_before);
+  StepResult result = rewarded(before + paused_ - paused_before, progress_before);
+  result.paused = paused_ > paused_before;
+  return result;
 }
 
 StepResult Environment::rewarded(Tick before, double progress_before) {

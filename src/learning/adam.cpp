@@ -1,5 +1,6 @@
 #include "adam.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 #include <utility>
@@ -21,6 +22,11 @@ void Adam::step(torch::Tensor parameters, const torch::Tensor& gradient, double 
   const double correction2 = 1.0 - std::pow(beta2, static_cast<double>(steps));
   const torch::Tensor scale = (square / correction2).sqrt_().add_(epsilon);
   parameters.addcdiv_(mean, scale, -learning_rate / correction1);
+  if (average_decay <= 0.0) return;
+  if (!average.defined()) average = parameters.detach().clone();
+  // The first ones count less, or the mean would long remember what was never learned.
+  const double share = static_cast<double>(1 + steps) / static_cast<double>(10 + steps);
+  average.lerp_(parameters, 1.0 - std::min(average_decay, share));
 }
 
 double Adam::clipped_step(torch::Tensor parameters, torch::Tensor gradient, double clip,
@@ -35,12 +41,15 @@ double Adam::clipped_step(torch::Tensor parameters, torch::Tensor gradient, doub
 void Adam::store(LearnerState& state) const {
   state.adam_mean = numbers_of(mean);
   state.adam_square = numbers_of(square);
+  state.average = numbers_of(average);
   state.steps = steps;
 }
 
 void Adam::restore(const LearnerState& state) {
   const std::size_t size = state.steps > 0 ? state.parameters.size() : 0;
-  if (state.adam_mean.size() != size || state.adam_square.size() != size) {
+  const std::size_t averages = average_decay > 0.0 ? size : 0;
+  if (state.adam_mean.size() != size || state.adam_square.size() != size ||
+      state.average.size() != averages) {
     throw std::invalid_argument("the state is of another network");
   }
   const auto tensor = [](const std::vector<float>& values) {
@@ -49,6 +58,7 @@ void Adam::restore(const LearnerState& state) {
   };
   mean = tensor(state.adam_mean);
   square = tensor(state.adam_square);
+  average = tensor(state.average);
   steps = state.steps;
 }
 

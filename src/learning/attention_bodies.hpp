@@ -20,8 +20,16 @@ void copy(const float* from, std::size_t count, float* to) {
   for (std::size_t i = 0; i < count; ++i) to[i] = from[i];
 }
 
-typedef float Lane __attribute__((vector_size(kLane * sizeof(float))));
-typedef std::int32_t IntLane __attribute__((vector_size(kLane * sizeof(std::int32_t))));
+/// Numbers of one register: wider vectors would live in memory.
+#if defined(__AVX512F__)
+constexpr std::size_t kWide = 16;
+#elif defined(__AVX2__)
+constexpr std::size_t kWide = 8;
+#else
+constexpr std::size_t kWide = 4;
+#endif
+typedef float Lane __attribute__((vector_size(kWide * sizeof(float))));
+typedef std::int32_t IntLane __attribute__((vector_size(kWide * sizeof(std::int32_t))));
 
 [[gnu::always_inline]] inline Lane load(const float* from) {
   Lane lane;
@@ -35,7 +43,7 @@ typedef std::int32_t IntLane __attribute__((vector_size(kLane * sizeof(std::int3
 
 [[gnu::always_inline]] inline float sum_of(Lane lane) {
   float sum = 0.0F;
-  for (std::size_t i = 0; i < kLane; ++i) sum += lane[i];
+  for (std::size_t i = 0; i < kWide; ++i) sum += lane[i];
   return sum;
 }
 
@@ -62,20 +70,20 @@ typedef std::int32_t IntLane __attribute__((vector_size(kLane * sizeof(std::int3
 void softmax(float* numbers, std::size_t count, std::size_t width) {
   for (std::size_t i = count; i < width; ++i) numbers[i] = -1e30F;
   Lane most = load(numbers);
-  for (std::size_t block = kLane; block < width; block += kLane) {
+  for (std::size_t block = kWide; block < width; block += kWide) {
     const Lane more = load(numbers + block);
     most = most < more ? more : most;
   }
   float largest = most[0];
-  for (std::size_t i = 1; i < kLane; ++i) largest = largest < most[i] ? most[i] : largest;
+  for (std::size_t i = 1; i < kWide; ++i) largest = largest < most[i] ? most[i] : largest;
   Lane sum{};
-  for (std::size_t block = 0; block < width; block += kLane) {
+  for (std::size_t block = 0; block < width; block += kWide) {
     const Lane power = exp_of(load(numbers + block) - largest);
     store(numbers + block, power);
     sum += power;
   }
   const float factor = 1.0F / sum_of(sum);
-  for (std::size_t block = 0; block < width; block += kLane) {
+  for (std::size_t block = 0; block < width; block += kWide) {
     store(numbers + block, load(numbers + block) * factor);
   }
   for (std::size_t i = count; i < width; ++i) numbers[i] = 0.0F;
@@ -84,11 +92,11 @@ void softmax(float* numbers, std::size_t count, std::size_t width) {
 /// gradient[i] = scale * weight[i] * (gradient[i] - sum over j of gradient[j] weight[j]).
 void softmax_backward(const float* weights, std::size_t width, float scale, float* gradient) {
   Lane sum{};
-  for (std::size_t block = 0; block < width; block += kLane) {
+  for (std::size_t block = 0; block < width; block += kWide) {
     sum += load(weights + block) * load(gradient + block);
   }
   const float total = sum_of(sum);
-  for (std::size_t block = 0; block < width; block += kLane) {
+  for (std::size_t block = 0; block < width; block += kWide) {
     const Lane weight = load(weights + block);
     store(gradient + block, scale * weight * (load(gradient + block) - total));
   }
@@ -105,50 +113,51 @@ struct Matrix {
 template <std::size_t kRows>
 [[gnu::always_inline]] inline void multiply_block(Matrix a, std::size_t depth, const float* b,
                                                   std::size_t width, float* out) {
-  Lane sum[kRows] = {};
+  constexpr std::size_t kParts = kLane / kWide;
+  Lane sum[kRows][kParts] = {};
   for (std::size_t k = 0; k < depth; ++k) {
-    const Lane row = load(b + k * width);
-#pragma GCC unroll 8
-    for (std::size_t i = 0; i < kRows; ++i) sum[i] += a.at[i * a.row + k * a.column] * row;
+    Lane row[kParts];
+#pragma GCC unroll 4
+    for (std::size_t p = 0; p < kParts; ++p) row[p] = load(b + k * width + p * kWide);
+#pragma GCC unroll 16
+    for (std::size_t i = 0; i < kRows; ++i) {
+      const float factor = a.at[i * a.row + k * a.column];
+#pragma GCC unroll 4
+      for (std::size_t p = 0; p < kParts; ++p) sum[i][p] += factor * row[p];
+    }
   }
-#pragma GCC unroll 8
-  for (std::size_t i = 0; i < kRows; ++i) store(out + i * width, sum[i]);
+#pragma GCC unroll 16
+  for (std::size_t i = 0; i < kRows; ++i) {
+#pragma GCC unroll 4
+    for (std::size_t p = 0; p < kParts; ++p) store(out + i * width + p * kWide, sum[i][p]);
+  }
 }
+
+/// The same with `rows` rows, at most kRows.
+template <std::size_t kRows>
+[[gnu::always_inline]] inline void multiply_rows(std::size_t rows, Matrix a, std::size_t depth,
+                                                 const float* b, std::size_t width, float* out) {
+  if constexpr (kRows > 1) {
+    if (rows < kRows) {
+      multiply_rows<kRows - 1>(rows, a, depth, b, width, out);
+      return;
+    }
+  }
+  multiply_block<kRows>(a, depth, b, width, out);
+}
+
+/// Rows at once: as many sums as fit into the registers beside what is multiplied (32 of them with
+/// AVX-512, else 16).
+constexpr std::size_t kBlock = kWide == 16 ? 12 : kWide == 8 ? 6 : 3;
 
 /// out [count][width] = a [count][depth] * b [depth][width]; width is a multiple of kLane.
 void multiply(Matrix a, std::size_t count, std::size_t depth, const float* b, std::size_t width,
               float* out) {
-  constexpr std::size_t kBlock = 8;
   for (std::size_t i = 0; i < count; i += kBlock) {
     const Matrix part{a.at + i * a.row, a.row, a.column};
     for (std::size_t column = 0; column < width; column += kLane) {
       float* to = out + i * width + column;
-      switch (count - i) {
-        case 7:
-          multiply_block<7>(part, depth, b + column, width, to);
-          break;
-        case 6:
-          multiply_block<6>(part, depth, b + column, width, to);
-          break;
-        case 5:
-          multiply_block<5>(part, depth, b + column, width, to);
-          break;
-        case 4:
-          multiply_block<4>(part, depth, b + column, width, to);
-          break;
-        case 3:
-          multiply_block<3>(part, depth, b + column, width, to);
-          break;
-        case 2:
-          multiply_block<2>(part, depth, b + column, width, to);
-          break;
-        case 1:
-          multiply_block<1>(part, depth, b + column, width, to);
-          break;
-        default:
-          multiply_block<kBlock>(part, depth, b + column, width, to);
-          break;
-      }
+      multiply_rows<kBlock>(count - i, part, depth, b + column, width, to);
     }
   }
 }

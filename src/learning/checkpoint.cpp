@@ -9,7 +9,7 @@
 namespace linewright::learning {
 namespace {
 
-constexpr std::string_view kMagic = "LWCHECKPOINT1\n\n\n";  // 16 bytes; the digit is the version
+constexpr std::string_view kMagic = "LWCHECKPOINT2\n\n\n";  // 16 bytes; the digit is the version
 
 void put(ByteWriter& out, const EvaluationReport& report) {
   out.put(report.update);
@@ -46,6 +46,7 @@ void put(ByteWriter& out, const LearnerState& learner) {
   out.put_all(learner.target);
   out.put_all(learner.adam_mean);
   out.put_all(learner.adam_square);
+  out.put_all(learner.average);
   out.put(learner.steps);
   put(out, learner.noise);
 }
@@ -56,6 +57,7 @@ LearnerState get_learner(ByteReader& in) {
   learner.target = in.get_all<float>();
   learner.adam_mean = in.get_all<float>();
   learner.adam_square = in.get_all<float>();
+  learner.average = in.get_all<float>();
   learner.steps = in.get<std::int64_t>();
   learner.noise = get_random(in);
   return learner;
@@ -123,6 +125,7 @@ std::string to_bytes(const Checkpoint& checkpoint) {
     out.put(run.episode);
     out.put_all(run.actions);
     put(out, run.random);
+    out.put(run.total_reward);
     out.put_all(run.log_probability);
     out.put_all(run.value);
   }
@@ -181,6 +184,7 @@ Checkpoint checkpoint_from_bytes(std::string_view bytes, const std::string& file
     run.episode = in.get<std::uint64_t>();
     run.actions = in.get_all<std::uint16_t>();
     run.random = get_random(in);
+    run.total_reward = in.get<double>();
     run.log_probability = in.get_all<float>();
     run.value = in.get_all<float>();
     checkpoint.runs.push_back(std::move(run));

@@ -17,6 +17,14 @@ std::size_t random_action(const std::uint8_t* selectable, std::size_t actions,
   return action;
 }
 
+/// Multiplies the deviations of all weights and biases.
+void multiply(Noise& noise, float factor) {
+  for (LayerNoise* layer :
+       {&noise.advantage_hidden, &noise.advantage_out, &noise.value_hidden, &noise.value_out}) {
+    for (float& number : layer->out) number *= factor;
+  }
+}
+
 }  // namespace
 
 ObservationSize size_of(const ObservationSpec& spec) {
@@ -35,7 +43,10 @@ std::size_t best_action(const std::vector<float>& values, const std::uint8_t* se
 }
 
 Collector::Collector(VectorEnvironment& environments, WorkerPool& pool, std::uint64_t seed)
-    : environments_(environments), size_(size_of(environments.spec())), threads_(pool.size()) {
+    : environments_(environments),
+      seed_(seed),
+      size_(size_of(environments.spec())),
+      threads_(pool.size()) {
   const std::size_t runs = environments.size();
   for (std::size_t i = 0; i < runs; ++i) runs_.emplace_back(seed, i);
   features_.resize(runs * size_.features);
@@ -58,6 +69,7 @@ void Collector::start() {
 void Collector::begin(Run& run) {
   run.current.episode.clear();
   run.current.episode.observation = size_;
+  run.current.actions.clear();
   run.current.total_reward = run.current.progress = 0.0;
   run.current.log_probability.clear();
   run.current.value.clear();
@@ -74,6 +86,7 @@ void Collector::collect(const Behaviour& behaviour, std::vector<FinishedEpisode>
         const std::size_t action = choose(behaviour, runs_[i], threads_[thread], view);
         runs_[i].current.episode.add({view.features, size_.features}, {view.present, size_.tokens},
                                      {view.selectable, size_.actions}, action);
+        runs_[i].current.actions.push_back(static_cast<std::uint16_t>(action));
         return action;
       },
       rows());
@@ -85,12 +98,22 @@ std::size_t Collector::choose(const Behaviour& behaviour, Run& run, Thread& thre
   const bool random = behaviour.network == nullptr ||
                       (behaviour.epsilon > 0.0 && run.random.uniform() < behaviour.epsilon);
   if (random) return random_action(view.selectable, size_.actions, run.random);
-  if (behaviour.noisy) sample_noise(run.random, run.noise);
+  if (behaviour.noisy) draw_noise(behaviour, run);
   behaviour.network->forward(view.features, view.present, thread.workspace,
                              behaviour.noisy ? &run.noise : behaviour.noise, thread.output);
   return behaviour.choice == Behaviour::Choice::kSampled
              ? sample(run, thread, view)
              : best_action(thread.output.actions, view.selectable);
+}
+
+/// The noise of an episode follows from its number, so that nobody has to remember it.
+void Collector::draw_noise(const Behaviour& behaviour, Run& run) const {
+  if (!behaviour.noise_per_episode) return sample_noise(run.random, run.noise);
+  if (run.noise_of == run.current.number) return;
+  RandomStream random = RandomStream::derive(seed_, "noise", run.current.number);
+  sample_noise(random, run.noise);
+  multiply(run.noise, static_cast<float>(behaviour.noise_factor * random.uniform()));
+  run.noise_of = run.current.number;
 }
 
 std::size_t Collector::sample(Run& run, Thread& thread, ObservationView view) const {
@@ -115,11 +138,18 @@ std::size_t Collector::sample(Run& run, Thread& thread, ObservationView view) co
   return action;
 }
 
+void Collector::forget_decisions(FinishedEpisode& current) {
+  current.episode.clear();
+  current.log_probability.clear();
+  current.value.clear();
+}
+
 void Collector::write_down(std::size_t i, std::vector<FinishedEpisode>& finished) {
   Run& run = runs_[i];
   const VectorEnvironment::Step& step = environments_.steps()[i];
   run.current.episode.reward.back() = step.result.reward;
   run.current.total_reward += static_cast<double>(step.result.reward);
+  if (step.result.paused) forget_decisions(run.current);
   if (!step.result.ended) return;
   run.current.episode.outcome = {step.result.success, step.makespan, step.horizon};
   run.current.progress = step.progress;
@@ -132,8 +162,8 @@ void Collector::write_down(std::size_t i, std::vector<FinishedEpisode>& finished
 std::vector<Collector::RunState> Collector::state() const {
   std::vector<RunState> states;
   for (const Run& run : runs_) {
-    states.push_back({run.current.number, run.current.episode.action, run.random.state(),
-                      run.current.log_probability, run.current.value});
+    states.push_back({run.current.number, run.current.actions, run.random.state(),
+                      run.current.total_reward, run.current.log_probability, run.current.value});
   }
   return states;
 }
@@ -146,11 +176,10 @@ void Collector::restore(const std::vector<RunState>& state, std::vector<Episode>
     begin(run);
     run.current.number = state[i].episode;
     run.current.episode = std::move(begun[i]);
+    run.current.actions = state[i].actions;
     run.current.log_probability = state[i].log_probability;
     run.current.value = state[i].value;
-    for (const float reward : run.current.episode.reward) {
-      run.current.total_reward += static_cast<double>(reward);
-    }
+    run.current.total_reward = state[i].total_reward;
   }
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "linewright/base/random.hpp"
@@ -20,15 +21,20 @@ struct Behaviour {
 
   const Network* network = nullptr;  ///< none: uniformly at random
   Choice choice = Choice::kBest;
-  double epsilon = 0.0;          ///< share of decisions that are uniformly random instead
-  bool noisy = false;            ///< fresh noise for every decision, in networks that have it
-  const Noise* noise = nullptr;  ///< instead: this noise for every decision
+  double epsilon = 0.0;            ///< share of decisions that are uniformly random instead
+  bool noisy = false;              ///< in networks that have it, a run's own noise ...
+  bool noise_per_episode = false;  ///< ... fresh for every episode; else for every decision
+  double noise_factor = 1.0;       ///< an episode's is multiplied by a number up to this
+  const Noise* noise = nullptr;    ///< instead: this noise for every decision
 };
 
 /// An episode that has ended.
 struct FinishedEpisode {
   std::uint64_t number = 0;  ///< in the plan
-  Episode episode;           ///< with the environment's rewards
+  /// With the environment's rewards. Without the decisions up to the last pause: what followed on
+  /// them did not come of them.
+  Episode episode;
+  std::vector<std::uint16_t> actions;  ///< all of them
   double total_reward = 0.0;
   double progress = 0.0;  ///< share of the order, 0 ... 1
   // By decision, with Behaviour::kSampled:
@@ -51,8 +57,9 @@ class Collector {
   /// What is needed to go on later.
   struct RunState {
     std::uint64_t episode = 0;
-    std::vector<std::uint16_t> actions;  ///< of the episode so far
+    std::vector<std::uint16_t> actions;  ///< of the episode so far, all of them
     RandomStream::State random{};
+    double total_reward = 0.0;           ///< of the episode so far
     std::vector<float> log_probability;  ///< with Behaviour::kSampled, of the episode so far
     std::vector<float> value;
   };
@@ -69,6 +76,7 @@ class Collector {
     RandomStream random;
     FinishedEpisode current;
     Noise noise;
+    std::optional<std::uint64_t> noise_of;  ///< the episode that it was drawn for
   };
   struct Thread {
     Workspace workspace;
@@ -77,12 +85,15 @@ class Collector {
   };
 
   std::size_t choose(const Behaviour& behaviour, Run& run, Thread& thread, ObservationView view);
+  void draw_noise(const Behaviour& behaviour, Run& run) const;
   std::size_t sample(Run& run, Thread& thread, ObservationView view) const;
+  static void forget_decisions(FinishedEpisode& current);
   void write_down(std::size_t run, std::vector<FinishedEpisode>& finished);
   void begin(Run& run);
   [[nodiscard]] ObservationRows rows();
 
   VectorEnvironment& environments_;
+  std::uint64_t seed_;
   ObservationSize size_;
   std::vector<Run> runs_;
   std::vector<Thread> threads_;

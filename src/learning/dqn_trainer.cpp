@@ -34,8 +34,10 @@ class DqnTrainer {
         learner_(session_.spec(), session_.network(),
                  initial_tensors(session_.spec(), session_.network(), run.seed),
                  {.adam_epsilon = options_.optimizer.adam_epsilon,
+                  .average = options_.optimizer.average,
                   .gradient_clip = options_.optimizer.gradient_clip,
                   .double_q = options_.optimizer.double_q,
+                  .return_bound = options_.buffer.return_bound,
                   .threads = session_.threads()},
                  run.seed),
         sampling_(RandomStream::derive(run.seed, "replay")) {}
@@ -61,7 +63,7 @@ class DqnTrainer {
       session_.show();
     }
     if (session_.cancelled()) write_checkpoint();
-    return session_.finish(learner_.tensors());
+    return session_.finish(learner_.averaged_tensors());
   }
 
  private:
@@ -69,11 +71,16 @@ class DqnTrainer {
   [[nodiscard]] bool warm() const { return warm_; }
   [[nodiscard]] std::int64_t updates() const { return session_.status().updates; }
 
-  /// Random until the buffer is warm; then by the network, with the algorithm's exploration.
+  /// Random until the buffer is warm; then by the network, with the
+  /// algorithm's exploration.
   Behaviour behaviour() {
-    if (!warm()) return {};
     const ExplorationSettings& exploration = options_.exploration;
-    Behaviour behaviour{.network = network_.get(), .noisy = options_.network.noisy};
+    if (!warm()) return {};
+    Behaviour behaviour{
+        .network = network_.get(),
+        .noisy = options_.network.noisy,
+        .noise_per_episode = exploration.noise == ExplorationSettings::Noise::kPerEpisode,
+        .noise_factor = exploration.noise_factor};
     if (exploration.epsilon_greedy) {
       const double share =
           static_cast<double>(session_.status().decisions) /
@@ -88,7 +95,7 @@ class DqnTrainer {
   void store(FinishedEpisode& finished) {
     session_.count(finished);
     Episode& episode = finished.episode;
-    records_.push_back({finished.number, episode.action});
+    records_.push_back({finished.number, finished.actions});
     const int copies = process_episode_end(episode, episode_end_options(options_.buffer));
     replay_.insert(episode, static_cast<std::size_t>(copies), finished.number);
     const auto stored = static_cast<std::int64_t>(episode.size()) * copies;
@@ -116,7 +123,7 @@ class DqnTrainer {
     if (session_.due(std::max<std::int64_t>(1, options_.run.evaluate_every / 5))) {
       session_.report();
     }
-    if (session_.due(options_.run.evaluate_every)) session_.evaluate(learner_.tensors());
+    if (session_.due(options_.run.evaluate_every)) session_.evaluate(learner_.averaged_tensors());
     if (session_.due(options_.run.checkpoint_every)) checkpoint_due_ = true;
   }
 

@@ -34,6 +34,7 @@ Episode EpisodeReplayer::play(std::uint64_t number, const std::vector<std::uint1
     episode.add(features, present, selectable, action);
     const StepResult step = environment_.step(action);
     episode.reward.back() = step.reward;
+    if (step.paused) episode.clear();  // as a Collector does
     if (step.ended) {
       episode.outcome = {step.success, environment_.makespan(), environment_.horizon()};
     }

@@ -15,7 +15,7 @@ using Values = torch::Tensor;
 
 namespace {
 
-/// What one thread found out about its rows.
+/// What came out for the rows of a slice.
 struct Slice {
   double loss = 0.0;        ///< its part of the mean
   double mean_value = 0.0;  ///< likewise
@@ -32,6 +32,7 @@ struct PpoLearner::Parts {
         network(spec, options, tensors, device),
         pool(given.threads) {
     adam.epsilon = given.adam_epsilon;
+    adam.average_decay = given.average;
   }
 
   /// Loss and gradient of some rows of the batch, as their part of a mean over all of them.
@@ -82,15 +83,14 @@ UpdateReport PpoLearner::update(const PpoBatch& batch, const Noise* noise, doubl
   Parts& p = *parts_;
   std::optional<TorchNoise> drawn;
   if (noise != nullptr) drawn = learning::to_torch(*noise, p.device);
-  std::vector<Slice> slices(p.pool.size());
-  p.pool.run(static_cast<std::int64_t>(batch.size),
-             [&](std::size_t slice, std::int64_t first, std::int64_t rows) {
-               slices[slice] = p.compute(batch, first, rows, drawn ? &*drawn : nullptr);
-             });
+  const auto rows = static_cast<std::int64_t>(batch.size);
+  std::vector<Slice> slices(p.pool.slices(rows));
+  p.pool.run(rows, [&](std::size_t slice, std::int64_t first, std::int64_t count) {
+    slices[slice] = p.compute(batch, first, count, drawn ? &*drawn : nullptr);
+  });
   UpdateReport report;
   Values gradient;
   for (const Slice& slice : slices) {
-    if (!slice.gradient.defined()) continue;
     report.loss += slice.loss;
     report.mean_q += slice.mean_value;
     gradient = gradient.defined() ? gradient.add_(slice.gradient) : slice.gradient;
@@ -100,7 +100,15 @@ UpdateReport PpoLearner::update(const PpoBatch& batch, const Noise* noise, doubl
   return report;
 }
 
-TensorMap PpoLearner::tensors() const { return parts_->network.store(); }
+TensorMap PpoLearner::tensors() const {
+  const TorchNetwork& network = parts_->network;
+  return network.store(network.flat());
+}
+
+TensorMap PpoLearner::averaged_tensors() const {
+  const TorchNetwork& network = parts_->network;
+  return network.store(parts_->adam.averaged(network.flat()));
+}
 
 LearnerState PpoLearner::state() const {
   LearnerState state{.parameters = learning::numbers_of(parts_->network.flat())};

@@ -44,6 +44,7 @@ class PpoTrainer {
         learner_(session_.spec(), session_.network(),
                  initial_tensors(session_.spec(), session_.network(), run.seed),
                  {.adam_epsilon = options_.optimizer.adam_epsilon,
+                  .average = options_.optimizer.average,
                   .gradient_clip = options_.optimizer.gradient_clip,
                   .clip = options_.ppo.clip,
                   .entropy = options_.ppo.entropy,
@@ -60,7 +61,7 @@ class PpoTrainer {
       learn();
       if (checkpoint_due_) write_checkpoint();
     }
-    return session_.finish(learner_.tensors());
+    return session_.finish(learner_.averaged_tensors());
   }
 
  private:
@@ -157,7 +158,7 @@ class PpoTrainer {
     if (session_.due(std::max<std::int64_t>(1, options_.run.evaluate_every / 5))) {
       session_.report();
     }
-    if (session_.due(options_.run.evaluate_every)) session_.evaluate(learner_.tensors());
+    if (session_.due(options_.run.evaluate_every)) session_.evaluate(learner_.averaged_tensors());
     if (session_.due(options_.run.checkpoint_every)) checkpoint_due_ = true;
   }
 

@@ -18,8 +18,8 @@ namespace {
 
 /// Rows of a batch as tensors that look into its memory.
 struct BatchTensors {
-  Values features, present, action, returns, discount, next_features, next_present, next_selectable,
-      weight;
+  Values features, present, action, returns, to_end, discount, next_features, next_present,
+      next_selectable, weight;
 };
 
 BatchTensors tensors_of(const ReplayBatch& batch, std::int64_t first, std::int64_t rows,
@@ -31,6 +31,7 @@ BatchTensors tensors_of(const ReplayBatch& batch, std::int64_t first, std::int64
           part(learning::rows_of(batch.present, all, here)),
           part(learning::view(batch.action, {all}, here)),
           part(learning::view(batch.returns, {all}, here)),
+          part(learning::view(batch.to_end, {all}, here)),
           part(learning::view(batch.discount, {all}, here)),
           part(learning::rows_of(batch.next_features, all, here)),
           part(learning::rows_of(batch.next_present, all, here)),
@@ -38,7 +39,7 @@ BatchTensors tensors_of(const ReplayBatch& batch, std::int64_t first, std::int64
           part(learning::view(batch.weight, {all}, here))};
 }
 
-/// What one thread found out about its rows.
+/// What came out for the rows of a slice.
 struct Slice {
   double loss = 0.0;  ///< its part of the mean
   double sum_q = 0.0;
@@ -68,6 +69,7 @@ struct QLearner::Parts {
         random(RandomStream::derive(seed, "learner noise")),
         pool(given.threads) {
     adam.epsilon = options.adam_epsilon;
+    adam.average_decay = options.average;
   }
 
   /// Fresh noise for a forward pass: for every sample its own, or one batch would pull all weights
@@ -88,7 +90,8 @@ struct QLearner::Parts {
     const Values masked =
         choice.masked_fill(batch.next_selectable.eq(0), -std::numeric_limits<float>::infinity());
     const Values next = rated.gather(1, masked.argmax(1, true)).squeeze(1);
-    return batch.returns + batch.discount * next;
+    const Values bootstrapped = batch.returns + batch.discount * next;
+    return options.return_bound ? torch::maximum(bootstrapped, batch.to_end) : bootstrapped;
   }
 
   /// Loss and gradient of some rows, as their part of a mean over `all` rows.
@@ -127,17 +130,16 @@ UpdateReport QLearner::update(const ReplayBatch& replayed, double learning_rate,
   const UpdateNoise drawn{.target = p.draw(replayed.size),
                           .choice = p.draw(replayed.size),
                           .online = p.draw(replayed.size)};
-  std::vector<Slice> slices(p.pool.size());
-  p.pool.run(static_cast<std::int64_t>(replayed.size),
-             [&](std::size_t slice, std::int64_t first, std::int64_t rows) {
-               slices[slice] = p.compute(tensors_of(replayed, first, rows, p.device),
-                                         drawn.rows(first, rows), replayed.size);
-             });
+  const auto rows = static_cast<std::int64_t>(replayed.size);
+  std::vector<Slice> slices(p.pool.slices(rows));
+  p.pool.run(rows, [&](std::size_t slice, std::int64_t first, std::int64_t count) {
+    slices[slice] = p.compute(tensors_of(replayed, first, count, p.device),
+                              drawn.rows(first, count), replayed.size);
+  });
   UpdateReport report;
   Values gradient;
   td_errors.clear();
   for (const Slice& slice : slices) {
-    if (!slice.errors.defined()) continue;
     report.loss += slice.loss;
     report.mean_q += slice.sum_q / static_cast<double>(replayed.size);
     const std::vector<float> errors = learning::numbers_of(slice.errors);
@@ -154,7 +156,15 @@ void QLearner::copy_target() {
   Values(parts_->target.flat()).copy_(parts_->online.flat());
 }
 
-TensorMap QLearner::tensors() const { return parts_->online.store(); }
+TensorMap QLearner::tensors() const {
+  const TorchNetwork& network = parts_->online;
+  return network.store(network.flat());
+}
+
+TensorMap QLearner::averaged_tensors() const {
+  const TorchNetwork& network = parts_->online;
+  return network.store(parts_->adam.averaged(network.flat()));
+}
 
 LearnerState QLearner::state() const {
   LearnerState state{.parameters = learning::numbers_of(parts_->online.flat()),

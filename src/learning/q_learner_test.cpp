@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "duct_line.hpp"
@@ -39,6 +40,7 @@ ReplayBatch batch_of(std::size_t rows) {
     const std::uint8_t* selectable = seen.selectable.data() + i * seen.spec.actions.size();
     batch.action.push_back(std::find(selectable, selectable + 9, 1) - selectable);
     batch.returns.push_back(0.1F * static_cast<float>(i) - 0.5F);
+    batch.to_end.push_back(i % 2 == 0 ? 2.0F : -2.0F);
     batch.discount.push_back(i + 4 < rows ? 0.9F : 0.0F);
     batch.weight.push_back(i % 2 == 0 ? 1.0F : 0.25F);
   }
@@ -98,6 +100,27 @@ TEST(QLearner, HasDoubleQTargetsAsByHandAndOnlyTheRewardBehindTheEnd) {
   }
 }
 
+TEST(QLearner, HasTargetsThatAreAtLeastWhatWasReached) {
+  const TensorMap first = initial_tensors(states().spec, quiet_network(), 1);
+  const ReplayBatch batch = batch_of(16);
+  std::vector<float> free;
+  std::vector<float> bounded;
+  QLearner(states().spec, quiet_network(), first, {}, 1).update(batch, 0.01, free);
+  QLearner(states().spec, quiet_network(), first, {.return_bound = true}, 1)
+      .update(batch, 0.01, bounded);
+  const Network online(states().spec, quiet_network(), first);
+  int raised = 0;
+  for (std::size_t i = 0; i < batch.size; ++i) {
+    const std::vector<float> q =
+        q_of(online, batch.features.data() + i * states().spec.feature_count(),
+             batch.present.data() + i * states().spec.token_count());
+    const float reached = batch.to_end[i] - q[static_cast<std::size_t>(batch.action[i])];
+    EXPECT_NEAR(double(bounded[i]), double(std::max(free[i], reached)), 1e-5) << i;
+    raised += reached > free[i] ? 1 : 0;
+  }
+  EXPECT_EQ(raised, 8);  // every other row has reached more than any network says
+}
+
 TEST(QLearner, LearnsWhatABatchSays) {
   const NetworkOptions options{.width = 16, .heads = 2, .feedforward = 16, .head_hidden = 16};
   QLearner learner(states().spec, options, initial_tensors(states().spec, options, 1), {}, 1);
@@ -110,20 +133,48 @@ TEST(QLearner, LearnsWhatABatchSays) {
   EXPECT_LT(after, 0.1 * before);
 }
 
+TEST(QLearner, KeepsARunningMeanOfItsWeights) {
+  const TensorMap first = initial_tensors(states().spec, quiet_network(), 1);
+  QLearner learner(states().spec, quiet_network(), first, {.average = 0.9}, 1);
+  QLearner plain(states().spec, quiet_network(), first, {}, 1);
+  const ReplayBatch batch = batch_of(16);
+  std::vector<float> errors;
+  std::vector<float> mean;
+  for (int step = 1; step <= 100; ++step) {
+    learner.update(batch, 0.01, errors);
+    plain.update(batch, 0.01, errors);
+    const std::vector<float> now = learner.state().parameters;
+    if (step == 1) mean = now;
+    const float keep = std::min(0.9F, static_cast<float>(1 + step) / static_cast<float>(10 + step));
+    for (std::size_t i = 0; i < mean.size(); ++i) mean[i] = keep * mean[i] + (1.0F - keep) * now[i];
+  }
+  const LearnerState state = learner.state();
+  double apart = 0.0;
+  for (std::size_t i = 0; i < mean.size(); ++i) {
+    EXPECT_NEAR(double(state.average[i]), double(mean[i]), 1e-4);
+    apart = std::max(apart, std::abs(double(mean[i]) - double(state.parameters[i])));
+  }
+  EXPECT_GT(apart, 1e-4);                         // the mean is not the weights
+  EXPECT_EQ(learner.tensors(), plain.tensors());  // and does not influence them
+  EXPECT_EQ(plain.averaged_tensors(), plain.tensors());
+}
+
 TEST(QLearner, GoesOnFromItsStateBitForBit) {
   const NetworkOptions options{.width = 16, .heads = 2, .feedforward = 16, .head_hidden = 16};
   const TensorMap first = initial_tensors(states().spec, options, 1);
   const ReplayBatch batch = batch_of(16);
   std::vector<float> errors;
-  QLearner learner(states().spec, options, first, {}, 1);
+  const QLearnerOptions averaging{.average = 0.9};
+  QLearner learner(states().spec, options, first, averaging, 1);
   for (int i = 0; i < 3; ++i) learner.update(batch, 0.003, errors);
-  QLearner other(states().spec, options, initial_tensors(states().spec, options, 2), {}, 7);
+  QLearner other(states().spec, options, initial_tensors(states().spec, options, 2), averaging, 7);
   other.restore(learner.state());
   for (int i = 0; i < 3; ++i) {
     learner.update(batch, 0.003, errors);
     other.update(batch, 0.003, errors);
   }
   EXPECT_EQ(learner.tensors(), other.tensors());
+  EXPECT_EQ(learner.averaged_tensors(), other.averaged_tensors());
   LearnerState cut = learner.state();
   cut.parameters.pop_back();
   EXPECT_THROW(other.restore(cut), std::invalid_argument);

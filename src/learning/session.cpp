@@ -67,6 +67,13 @@ void Session::restore_runs(const Checkpoint& checkpoint) {
   collector_.restore(checkpoint.runs, std::move(begun));
 }
 
+/// Without the number of threads, which no result depends on.
+std::string Session::options_text() const {
+  TrainingOptions options = run_.options;
+  options.run.threads = RunSettings{}.threads;
+  return to_yaml(options);
+}
+
 std::string Session::scenario_text() const {
   return fmt::format("{} {:016x}", run_.scenario->line.name, run_.scenario->content_hash);
 }
@@ -92,7 +99,7 @@ std::optional<Checkpoint> Session::resumed() {
   if (checkpoint.scenario != scenario_text()) {
     refuse(fmt::format("is of a run on '{}', not '{}'", checkpoint.scenario, scenario_text()));
   }
-  if (checkpoint.options != to_yaml(run_.options)) refuse("is of a run with other options");
+  if (checkpoint.options != options_text()) refuse("is of a run with other options");
   if (checkpoint.runs.size() != environments_.size() || checkpoint.log_sizes.size() != 3) {
     refuse("is damaged: its parts do not fit together");
   }
@@ -102,7 +109,7 @@ std::optional<Checkpoint> Session::resumed() {
 void Session::open_logs(const Checkpoint* checkpoint) {
   std::vector<std::string> crews;
   for (const RunOptions& crew : plan_.crews) crews.push_back(crew_name(simulator_.line(), crew));
-  if (checkpoint == nullptr) write_file(path("options.yaml"), to_yaml(run_.options));
+  if (checkpoint == nullptr) write_file(path("options.yaml"), options_text());
   logs_.emplace(run_.folder, crews,
                 checkpoint == nullptr ? std::vector<std::uint64_t>{} : checkpoint->log_sizes,
                 hooks_.wall_time_s());
@@ -121,7 +128,7 @@ void Session::open_logs(const Checkpoint* checkpoint) {
 void Session::count(const FinishedEpisode& finished) {
   const EpisodeOutcome& outcome = finished.episode.outcome;
   recent_.push_back({.reward = finished.total_reward,
-                     .length = static_cast<double>(finished.episode.size()),
+                     .length = static_cast<double>(finished.actions.size()),
                      .makespan = static_cast<double>(outcome.makespan),
                      .progress = finished.progress,
                      .success = outcome.success ? 1.0 : 0.0});
@@ -214,7 +221,7 @@ Policy Session::policy_of(const TensorMap& tensors) const {
   policy.metadata["algorithm"] = run_.options.algorithm.name;
   policy.metadata["allocator"] = run_.options.run.allocator;
   policy.metadata["seed"] = std::to_string(run_.seed);
-  policy.metadata["options"] = to_yaml(run_.options);
+  policy.metadata["options"] = options_text();
   policy.metadata["updates"] = std::to_string(status_.updates);
   policy.metadata["decisions"] = std::to_string(status_.decisions);
   policy.metadata["episodes"] = std::to_string(status_.episodes);
@@ -230,7 +237,7 @@ void Session::write_policy(const std::string& name, const TensorMap& tensors) co
 
 void Session::write_checkpoint(Checkpoint checkpoint) {
   logs_->flush();
-  checkpoint.options = to_yaml(run_.options);
+  checkpoint.options = options_text();
   checkpoint.scenario = scenario_text();
   checkpoint.seed = run_.seed;
   checkpoint.updates = status_.updates;

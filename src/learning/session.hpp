@@ -69,6 +69,7 @@ class Session {
  private:
   [[nodiscard]] std::string path(const std::string& name) const { return run_.folder + "/" + name; }
   void refresh_means();
+  [[nodiscard]] std::string options_text() const;
   [[nodiscard]] std::string scenario_text() const;
   [[nodiscard]] Policy policy_of(const TensorMap& tensors) const;
 

@@ -134,12 +134,14 @@ Tensor TorchNetwork::gradient_of(const Tensor& loss) const {
   return torch::cat(parts);
 }
 
-TensorMap TorchNetwork::store() const {
+TensorMap TorchNetwork::store(const Tensor& flat) const {
+  const Tensor here = flat.detach().cpu().contiguous();
+  const float* next = here.data_ptr<float>();
   TensorMap stored;
-  for (const auto& [name, tensor] : tensors_) {
-    const Tensor here = tensor.detach().cpu().contiguous();
-    const float* first = here.data_ptr<float>();
-    stored[name] = {here.sizes().vec(), std::vector<float>(first, first + here.numel())};
+  for (const std::string& name : names_) {
+    const Tensor& tensor = at(name);
+    stored[name] = {tensor.sizes().vec(), std::vector<float>(next, next + tensor.numel())};
+    next += tensor.numel();
   }
   return stored;
 }

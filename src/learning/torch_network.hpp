@@ -49,7 +49,8 @@ class TorchNetwork {
   [[nodiscard]] const torch::Tensor& flat() const { return flat_; }
   /// The gradient of a loss, in the same order. Safe to use from several threads at once.
   [[nodiscard]] torch::Tensor gradient_of(const torch::Tensor& loss) const;
-  [[nodiscard]] TensorMap store() const;
+  /// The tensors that a vector like flat() holds.
+  [[nodiscard]] TensorMap store(const torch::Tensor& flat) const;
   void load(const TensorMap& tensors);
   /// Throws std::invalid_argument when there are not as many numbers.
   void load_flat(const std::vector<float>& numbers);

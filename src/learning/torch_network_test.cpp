@@ -84,7 +84,7 @@ TEST(TorchNetwork, HasTheGradientThatDifferencesShow) {
   TorchNetwork network(states.spec, options, initial_tensors(states.spec, options, 2), torch::kCPU);
   const Values features = rows_of(states.features, 10'000, torch::kCPU).narrow(0, 100, 32);
   const Values present = rows_of(states.present, 10'000, torch::kCPU).narrow(0, 100, 32);
-  Noise noise = Network(states.spec, options, network.store()).make_noise();
+  Noise noise = Network(states.spec, options, network.store(network.flat())).make_noise();
   RandomStream random(3);
   sample_noise(random, noise);
   const TorchNoise torch_noise = to_torch(noise, torch::kCPU);
@@ -114,7 +114,8 @@ TEST(TorchNetwork, HasTheGradientThatDifferencesShow) {
 TEST(TorchNetwork, KeepsItsTensors) {
   const NetworkOptions options = small(true, false, false);
   const TensorMap tensors = initial_tensors(duct_states().spec, options, 9);
-  EXPECT_EQ(TorchNetwork(duct_states().spec, options, tensors, torch::kCPU).store(), tensors);
+  const TorchNetwork network(duct_states().spec, options, tensors, torch::kCPU);
+  EXPECT_EQ(network.store(network.flat()), tensors);
 }
 
 }  // namespace

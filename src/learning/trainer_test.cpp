@@ -63,6 +63,7 @@ TrainingOptions toy_options(const std::string& algorithm, std::vector<std::strin
                                     "optimizer.learning_rate=0.003",
                                     "optimizer.learning_rate_end=0.0003",
                                     "optimizer.target_every=25",
+                                    "optimizer.average=0.9",
                                     "optimizer.decisions_per_update=8",
                                     "exploration.epsilon_decisions=2000",
                                     "ppo.episodes_per_update=16",
@@ -156,6 +157,26 @@ void expect_same_after_resuming(const std::string& algorithm) {
                            "evaluations.csv", "events.out.tfevents.0.linewright"}) {
     EXPECT_EQ(whole.text(file), broken.text(file)) << file;
     EXPECT_FALSE(whole.text(file).empty()) << file;
+  }
+}
+
+TEST(Training, GivesTheSameBytesForAnyNumberOfThreads) {
+  for (const char* algorithm : {"ebq-n", "eppo"}) {
+    const Folder one(std::string("one_thread_") + algorithm);
+    const Folder three(std::string("three_threads_") + algorithm);
+    // Batches of two whole slices and a part of one.
+    TrainingOptions options =
+        toy_options(algorithm, {"optimizer.updates=60", "optimizer.batch=80", "ppo.minibatch=80"});
+    for (const Folder* folder : {&one, &three}) {
+      options.run.threads = folder == &one ? 1 : 3;
+      ASSERT_TRUE(
+          train({.scenario = &oven(), .options = options, .folder = folder->path()}, no_clock())
+              .finished);
+    }
+    for (const char* file : {"final.safetensors", "progress.csv", "options.yaml"}) {
+      EXPECT_EQ(one.text(file), three.text(file)) << algorithm << " " << file;
+      EXPECT_FALSE(one.text(file).empty()) << file;
+    }
   }
 }
 

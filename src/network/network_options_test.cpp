@@ -35,13 +35,13 @@ TEST(NetworkOptions, ComeBackAsTheyWere) {
 
 TEST(NetworkOptions, TextIsStable) {
   EXPECT_EQ(to_json(NetworkOptions()),
-            R"({"width":64,"heads":4,"encoder_layers":1,"feedforward":128,"head_hidden":64,)"
-            R"("query":"per_task","dueling":true,"noisy":true,"sigma0":0.5,"actor_critic":false})");
+            R"({"width":32,"heads":2,"encoder_layers":1,"feedforward":64,"head_hidden":32,)"
+            R"("query":"per_task","dueling":true,"noisy":true,"sigma0":0.1,"actor_critic":false})");
 }
 
 TEST(NetworkOptions, NameWhatIsImpossible) {
-  EXPECT_EQ(complaint(R"({"width":30})"),
-            "t: error: 'heads' of the network is 4, which does not divide 'width', 30\n"
+  EXPECT_EQ(complaint(R"({"width":31})"),
+            "t: error: 'heads' of the network is 2, which does not divide 'width', 31\n"
             "  hint: each head takes an equal part of the width");
   EXPECT_EQ(complaint(R"({"width":0,"heads":0})"),
             "t: error: 'width' of the network is 0\n  hint: it must be from 1 to 1024\n"

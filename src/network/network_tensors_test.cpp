@@ -19,8 +19,12 @@ std::string shape_of(const std::vector<TensorShape>& tensors, const std::string&
   return "missing";
 }
 
+NetworkOptions wide_options() {
+  return {.width = 64, .heads = 4, .feedforward = 128, .head_hidden = 64, .sigma0 = 0.5};
+}
+
 TEST(NetworkTensors, HaveTheShapesOfTheDocumentation) {
-  NetworkOptions options;
+  const NetworkOptions options = wide_options();
   const auto tensors = expected_tensors(small_spec(), options);
   EXPECT_EQ(shape_of(tensors, "encoder.human.weight"), "[11, 64]");
   EXPECT_EQ(shape_of(tensors, "encoder.human.bias"), "[1, 64]");
@@ -40,7 +44,7 @@ TEST(NetworkTensors, HaveTheShapesOfTheDocumentation) {
 }
 
 TEST(NetworkTensors, FollowTheOptions) {
-  NetworkOptions options;
+  NetworkOptions options = wide_options();
   options.query = NetworkOptions::Query::kSingle;
   options.dueling = false;
   options.noisy = false;
@@ -51,7 +55,7 @@ TEST(NetworkTensors, FollowTheOptions) {
 }
 
 TEST(NetworkTensors, StartAsDescribed) {
-  const TensorMap tensors = initial_tensors(small_spec(), {}, 1);
+  const TensorMap tensors = initial_tensors(small_spec(), wide_options(), 1);
   const auto largest = [&](const char* name) {
     double most = 0.0;
     for (const float value : tensors.at(name).values)

@@ -143,7 +143,9 @@ TEST(Network, GivesTheSameBitsOnEveryInstructionSet) {
 
 TEST(Network, GivesTheBitsThatItGaveOnOtherMachines) {
   const ObservationSpec spec = line_spec();
-  const Network network(spec, {}, random_tensors(spec, {}, 1));
+  const NetworkOptions options{
+      .width = 64, .heads = 4, .feedforward = 128, .head_hidden = 64, .sigma0 = 0.5};
+  const Network network(spec, options, random_tensors(spec, options, 1));
   std::uint64_t hash = kHashStart;
   for (const std::uint32_t bits : bits_of_run(network, spec, 20)) {
     for (const unsigned shift : {0U, 8U, 16U, 24U}) {

@@ -44,18 +44,22 @@ void visit_options(Options& o, Visitor& visitor) {
   visitor.real("alpha", o.buffer.alpha, 0.0, 1.0);
   visitor.real("beta_start", o.buffer.beta_start, 0.0, 1.0);
   visitor.real("beta_end", o.buffer.beta_end, 0.0, 1.0);
+  visitor.flag("return_bound", o.buffer.return_bound);
   visitor.whole("n_step", o.buffer.n_step, 1, 1000);
 
   visitor.group("exploration");
   visitor.flag("epsilon_greedy", o.exploration.epsilon_greedy);
   visitor.real("epsilon_start", o.exploration.epsilon_start, 0.0, 1.0);
   visitor.real("epsilon_end", o.exploration.epsilon_end, 0.0, 1.0);
+  visitor.choice("noise", o.exploration.noise, {"per_decision", "per_episode"});
+  visitor.real("noise_factor", o.exploration.noise_factor, 0.0, 100.0);
   visitor.whole("epsilon_decisions", o.exploration.epsilon_decisions, 0, 1000 * kBillion);
 
   visitor.group("optimizer");
   visitor.real("learning_rate", o.optimizer.learning_rate, 1e-9, 1.0);
   visitor.real("learning_rate_end", o.optimizer.learning_rate_end, 1e-9, 1.0);
   visitor.real("adam_epsilon", o.optimizer.adam_epsilon, 1e-12, 1.0);
+  visitor.real("average", o.optimizer.average, 0.0, 0.99999);
   visitor.whole("batch", o.optimizer.batch, 1, 65536);
   visitor.real("gamma", o.optimizer.gamma, 0.0, 1.0);
   visitor.real("gradient_clip", o.optimizer.gradient_clip, 1e-6, 1e6);

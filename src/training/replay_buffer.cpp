@@ -42,6 +42,17 @@ TransitionFacts facts_of(const Episode& episode, std::size_t t, const ReplayOpti
           .next = static_cast<std::uint16_t>(has_next ? options.n_step : 0)};
 }
 
+/// The discounted sum of all rewards from each transition on.
+std::vector<float> returns_to_end(const Episode& episode, double gamma) {
+  std::vector<float> sums(episode.size());
+  double sum = 0.0;
+  for (std::size_t t = episode.size(); t-- > 0;) {
+    sum = static_cast<double>(episode.reward[t]) + gamma * sum;
+    sums[t] = static_cast<float>(sum);
+  }
+  return sums;
+}
+
 double to_power(double base, double exponent) {
   return exponent == 0.5 ? std::sqrt(base) : std::pow(base, exponent);
 }
@@ -52,6 +63,7 @@ void resize(ReplayBatch& batch, std::size_t count, const ObservationSize& observ
   batch.present.resize(count * observation.tokens);
   batch.action.resize(count);
   batch.returns.resize(count);
+  batch.to_end.resize(count);
   batch.discount.resize(count);
   batch.next_features.resize(count * observation.features);
   batch.next_present.resize(count * observation.tokens);
@@ -94,9 +106,11 @@ void PrioritizedReplayBuffer::append(const Episode& episode, std::uint64_t from,
   if (from >= episode.size()) return;
   episodes_.push_back({tag, next_, next_ + (episode.size() - from), from, copies});
   const float weight = leaf_weight(largest_, copies);
+  const std::vector<float> to_end = returns_to_end(episode, options_.gamma);
   for (std::size_t row = from; row < episode.size(); ++row) {
     TransitionFacts facts = facts_of(episode, row, options_);
     facts.copies = copies;
+    facts.to_end = to_end[row];
     storage_->store(next_, episode, row, facts);
     tree_.set(leaf_of(next_), weight);
     ++next_;

@@ -189,10 +189,12 @@ TEST(ReplayBuffer, AddsUpTheRewardsOfNStepsByHand) {
   const std::vector<float> returns{1 + 2 * .5F + 3 * .25F, 2 + 3 * .5F + 4 * .25F,
                                    3 + 4 * .5F + 5 * .25F, 4 + 5 * .5F, 5};
   const std::vector<float> discounts{0.125F, 0.125F, 0, 0, 0};
+  const std::vector<float> to_end{3.5625F, 5.125F, 6.25F, 6.5F, 5};
   for (std::size_t i = 0; i < batch.size; ++i) {
     const std::size_t t = batch.index[i];
     EXPECT_FLOAT_EQ(batch.returns[i], returns[t]);
     EXPECT_FLOAT_EQ(batch.discount[i], discounts[t]);
+    EXPECT_FLOAT_EQ(batch.to_end[i], to_end[t]);
     EXPECT_EQ(batch.features[i * 3 + 1], static_cast<float>(t));
     // Behind the end there is no next state; its place holds the state itself.
     EXPECT_EQ(batch.next_features[i * 3 + 1], static_cast<float>(t < 2 ? t + 3 : t));

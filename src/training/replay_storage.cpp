@@ -77,6 +77,7 @@ void ReplayStorage::gather(std::size_t i, ReplayBatch& batch) const {
   const std::uint64_t next = index + of.next;
   batch.action[i] = of.action;
   batch.returns[i] = of.returns;
+  batch.to_end[i] = of.to_end;
   batch.discount[i] = of.discount;
   copy_row(features(index), observation_.features, batch.features, i);
   copy_row(flags(index), observation_.tokens, batch.present, i);

@@ -13,6 +13,7 @@ namespace linewright {
 /// What is known of one transition besides its observation.
 struct TransitionFacts {
   float returns = 0.0F;
+  float to_end = 0.0F;
   float discount = 0.0F;
   std::uint32_t copies = 1;
   std::uint16_t action = 0;

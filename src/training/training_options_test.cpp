@@ -91,8 +91,8 @@ TEST(TrainingOptions, EverythingWrongIsReportedAtOnce) {
 }
 
 TEST(TrainingOptions, ValuesMustGoTogether) {
-  EXPECT_EQ(complaint_about("network: {width: 66}"),
-            "t.yaml:1:18: error: 'network.width' (66) must be a multiple of 'network.heads' (4)\n"
+  EXPECT_EQ(complaint_about("network: {width: 33}"),
+            "t.yaml:1:18: error: 'network.width' (33) must be a multiple of 'network.heads' (2)\n"
             "  hint: each head works on an equal share of the width");
   for (const std::string text :
        {"buffer: {beta_start: 0.9, beta_end: 0.5}", "buffer: {capacity: 100}",

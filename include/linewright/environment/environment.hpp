@@ -14,9 +14,9 @@
 namespace linewright {
 
 /// Weights of the reward R = r_time + r_progress + r_goal (paper, eq. 12). The published runs used
-/// these values.
+/// these values, but 0.001 for eta1.
 struct RewardOptions {
-  double eta1 = 0.001;  ///< paid per tick since the last decision, >= 0
+  double eta1 = 0.01;   ///< paid per tick since the last decision, >= 0
   double eta2 = 1.0;    ///< won when the order is finished, paid when the run ends without; >= 0
   double eta3 = 0.2;    ///< won for the whole order, in shares as it is finished, >= 0
 };
@@ -27,7 +27,7 @@ struct RewardOptions {
 /// one product left, and so to policies that also fit other orders.
 struct PauseOptions {
   double episodes = 0.0;   ///< share of the episodes that have pauses, 0 to 1
-  double decisions = 0.3;  ///< share of the decisions in these before which there is one, 0 to 1
+  double decisions = 0.1;  ///< share of the decisions in these before which there is one, 0 to 1
   Tick most = 200;         ///< ticks of the longest; each length from 1 on is as likely
 };
 
@@ -36,6 +36,7 @@ struct StepResult {
   float reward = 0.0F;
   bool ended = false;    ///< the run has ended: success, deadlock and horizon are all terminal
   bool success = false;  ///< the order was finished within the horizon
+  bool paused = false;   ///< there was a pause before the next decision: time that was not counted
 };
 
 /// The Markov decision process of the high-level agent (paper, Sec. 3.3.1): a state is what an

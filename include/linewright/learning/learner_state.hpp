@@ -21,6 +21,7 @@ struct LearnerState {
   std::vector<float> target;     ///< of the target network; empty where there is none
   std::vector<float> adam_mean;  ///< empty before the first update
   std::vector<float> adam_square;
+  std::vector<float> average;  ///< running mean of the parameters; empty without averaging
   std::int64_t steps = 0;
   RandomStream::State noise{};
 };

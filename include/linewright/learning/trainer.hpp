@@ -75,10 +75,11 @@ struct TrainingResult {
 
 /// Trains the agent of `run.options` (paper, Algorithm 1 for `dqn`; PPO for `ppo`). The kept policy
 /// is the one with the smallest mean makespan among the evaluations in which every run succeeded;
-/// ties: the earlier one. Deterministic for a seed and a number of threads, also across resuming.
-/// Throws ScenarioError for options that do not fit the scenario, a horizon too short for the
-/// order, a checkpoint that is missing, damaged or of another run, a file that cannot be written,
-/// and when the loss is no longer a number: the last good checkpoint and the best policy then stay.
+/// ties: the earlier one. Deterministic for a seed, also across resuming, whatever the number of
+/// threads. Throws ScenarioError for options that do not fit the scenario, a horizon too short for
+/// the order, a checkpoint that is missing, damaged or of another run, a file that cannot be
+/// written, and when the loss is no longer a number: the last good checkpoint and the best policy
+/// then stay.
 [[nodiscard]] TrainingResult train(const TrainingRun& run, const TrainingHooks& hooks);
 
 /// Every crew of the scenario (all combinations of its counts, the first kind varying slowest),

@@ -15,22 +15,22 @@ struct NetworkOptions {
   };
 
   /// Numbers per token, 1 to 1024, `heads` times a whole number. Time grows with its square.
-  int width = 64;
+  int width = 32;
   /// Attention heads, 1 to 64. Fastest where width / heads is a multiple of 16.
-  int heads = 4;
+  int heads = 2;
   /// Self-attention blocks over all tokens, 0 to 8. Time grows in proportion.
   int encoder_layers = 1;
   /// Hidden numbers of the feedforward parts, 1 to 4096. Time grows in proportion.
-  int feedforward = 128;
+  int feedforward = 64;
   /// Hidden numbers of the advantage and the value stream, 1 to 4096.
-  int head_hidden = 64;
+  int head_hidden = 32;
   Query query = Query::kPerTask;
   /// Q = value + advantage - mean advantage; otherwise there is no value stream.
   bool dueling = true;
   /// The last layers explore by learned noise (Fortunato et al.): twice the numbers in them.
   bool noisy = true;
   /// Noise at the start, 0 to 10: deviations are sigma0 / sqrt(inputs). Of use with `noisy` only.
-  double sigma0 = 0.5;
+  double sigma0 = 0.1;
   /// Gives logits and a state value instead of Q values; needs `dueling`, for the value stream.
   bool actor_critic = false;
 

@@ -33,6 +33,7 @@ struct ReplayBatch {
   std::vector<std::uint8_t> present;  ///< [size x tokens]
   std::vector<std::int64_t> action;   ///< [size]
   std::vector<float> returns;         ///< sum of gamma^k r_{t+1+k}, k < n_step, to the end
+  std::vector<float> to_end;          ///< the same to the end of the episode: what was reached
   std::vector<float> discount;        ///< of the bootstrap: gamma^n_step; 0: ended before
   std::vector<float> next_features;   ///< where the discount is 0: those of the state itself
   std::vector<std::uint8_t> next_present;

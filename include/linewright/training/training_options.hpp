@@ -24,7 +24,7 @@ struct AlgorithmSettings {
 /// What is stored, and how it is drawn again.
 struct BufferSettings {
   bool modify_reward = true;        ///< episode-end processing changes the rewards
-  double eta4 = 0.4;                ///< weight of a success's bonus, 0 to 1000
+  double eta4 = 0.1;                ///< weight of a success's bonus, 0 to 1000
   double eta5 = 0.001;              ///< what each decision of a failure loses, 0 to 1000
   std::int32_t copies = 5;          ///< how often a success is stored (eta6), 1 to 1000
   std::int64_t capacity = 500'000;  ///< transitions, copies counted, 1 to 1e8; about 2 kB each
@@ -33,32 +33,46 @@ struct BufferSettings {
   double alpha = 0.5;               ///< 0 (uniform) to 1
   double beta_start = 0.4;          ///< how far importance weights undo the bias, 0 to 1 ...
   double beta_end = 1.0;            ///< ... rising linearly to this with the last update
-  std::int32_t n_step = 1;          ///< rewards added up before the bootstrap, 1 to 1000
+  /// Targets are at least what was reached in the episode (He et al., Learning to Play in a Day,
+  /// 2017): right where the same decisions lead to the same end, as they do with `sap`.
+  bool return_bound = true;
+  std::int32_t n_step = 5;  ///< rewards added up before the bootstrap, 1 to 1000
 };
 
 /// How actions are tried out while learning.
 struct ExplorationSettings {
+  enum class Noise : std::uint8_t { kPerDecision, kPerEpisode };
+
   bool epsilon_greedy = false;  ///< a random choice with probability epsilon; else the best one
-  double epsilon_start = 1.0;   ///< 0 to 1
-  double epsilon_end = 0.05;    ///< 0 to `epsilon_start`
-  std::int64_t epsilon_decisions = 50'000;  ///< over which epsilon falls linearly, 0 to 1e12
+  /// How long noisy layers keep their noise. A whole episode with one noise tries out a policy, as
+  /// a person would try out a habit; fresh noise for every decision mixes many.
+  Noise noise = Noise::kPerEpisode;
+  /// The noise of an episode is multiplied by a number between 0 and this, 0 to 100: some episodes
+  /// still try out something new when learning has made the noise small.
+  double noise_factor = 4.0;
+  double epsilon_start = 1.0;                ///< 0 to 1
+  double epsilon_end = 0.02;                 ///< 0 to `epsilon_start`
+  std::int64_t epsilon_decisions = 100'000;  ///< over which epsilon falls linearly, 0 to 1e12
 };
 
 /// What one update is, and how many there are.
 struct OptimizerSettings {
-  double learning_rate = 3e-4;      ///< of Adam, 1e-9 to 1 ...
-  double learning_rate_end = 3e-4;  ///< ... changing linearly to this with the last update
+  double learning_rate = 1e-3;      ///< of Adam, 1e-9 to 1 ...
+  double learning_rate_end = 1e-5;  ///< ... changing linearly to this with the last update
   double adam_epsilon = 1.5e-4;     ///< 1e-12 to 1
+  /// The policy is a running mean of the weights, of which every update keeps this share; 0: the
+  /// weights themselves. 0 to 0.99999.
+  double average = 0.998;
   std::int32_t batch = 128;         ///< transitions per update, 1 to 65536; time grows with it
-  double gamma = 0.99;              ///< discount per decision, 0 to 1
+  double gamma = 0.997;             ///< discount per decision, 0 to 1
   double gradient_clip = 10.0;      ///< largest norm of the gradient, 1e-6 to 1e6
   bool double_q = true;             ///< the online network chooses the action of the target
-  std::int64_t target_every = 200;  ///< updates between copies to the target network, 1 to 1e9
-  std::int64_t updates = 20'000;    ///< in all, 1 to 1e9; the time of a run grows with it
-  std::int64_t decisions_per_update = 4;  ///< decisions made for each update, 1 to 1e9
+  std::int64_t target_every = 100;  ///< updates between copies to the target network, 1 to 1e9
+  std::int64_t updates = 6'000;     ///< in all, 1 to 1e9; the time of a run grows with it
+  std::int64_t decisions_per_update = 128;  ///< decisions made for each update, 1 to 1e9
   bool count_copies = false;  ///< `decisions_per_update` counts a decision as often as it is stored
-  std::int64_t warmup = 5'000;  ///< transitions, copies counted, stored from random decisions
-                                ///< before the first update, `batch` to `capacity`
+  std::int64_t warmup = 20'000;  ///< transitions, copies counted, stored from random decisions
+                                 ///< before the first update, `batch` to `capacity`
 };
 
 /// Only for `kind: ppo`; what it shares with Q-learning stands in the other groups. Successes count
@@ -84,7 +98,7 @@ struct HorizonRule {
 struct RunSettings {
   enum class Crews : std::uint8_t { kInTurn, kSampled };
 
-  std::int32_t environments = 32;  ///< runs side by side, 1 to 4096; the result depends on it
+  std::int32_t environments = 64;  ///< runs side by side, 1 to 4096; the result depends on it
   std::int32_t threads = 0;        ///< 0: one per core, to 1024; the result does not depend on it
   std::string allocator = "sap";   ///< who does the chosen task
   std::optional<std::int32_t> order;  ///< quantity ordered, 1 to 1e6; none: the scenario's
@@ -93,11 +107,11 @@ struct RunSettings {
   /// Where no rule fits: this many times the mean makespan of the planner `first` with the same
   /// crew, but never more than the scenario's horizon; 0: the scenario's horizon. 0 to 100.
   double horizon_factor = 1.25;
-  PauseOptions pauses{.episodes = 0.2};
+  PauseOptions pauses{.episodes = 0.1};
   Crews crews = Crews::kInTurn;           ///< all of the scenario's one after the other, or drawn
-  std::int64_t evaluate_every = 500;      ///< updates between greedy evaluations, 1 to 1e9
+  std::int64_t evaluate_every = 200;      ///< updates between greedy evaluations, 1 to 1e9
   std::int32_t evaluation_trials = 10;    ///< runs per crew in each, 1 to 10000; time grows with it
-  std::int64_t checkpoint_every = 2'000;  ///< updates, 1 to 1e9
+  std::int64_t checkpoint_every = 1'000;  ///< updates, 1 to 1e9
 };
 
 /// Everything that a training run depends on besides the scenario and the seed.
