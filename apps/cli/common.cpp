@@ -113,6 +113,25 @@ void add_configuration_options(CLI::App& app, RunArguments& arguments) {
       ->type_name("NAME");
 }
 
+std::vector<std::string> allocators_of(std::string_view list) {
+  const auto& known = allocator_names();
+  std::vector<std::string> names;
+  while (true) {
+    const std::size_t comma = std::min(list.find(','), list.size());
+    const std::string name(list.substr(0, comma));
+    if (std::find(known.begin(), known.end(), name) == known.end()) {
+      throw ScenarioError({}, fmt::format("unknown allocator '{}'", name), name_hint(name, known));
+    }
+    if (std::find(names.begin(), names.end(), name) != names.end()) {
+      throw ScenarioError({}, fmt::format("--allocator: '{}' is listed twice", name),
+                          "list each allocator once");
+    }
+    names.push_back(name);
+    if (comma == list.size()) return names;
+    list.remove_prefix(comma + 1);
+  }
+}
+
 std::vector<RunOptions> crews_of(const RunArguments& arguments, const LineModel& line, bool fill) {
   std::vector<std::vector<std::int32_t>> counts(line.worker_kinds.size());
   const auto set = [&](const std::string& option, const std::string& kind,
@@ -231,7 +250,7 @@ ProgressBar::~ProgressBar() {
   if (shown_ && drawn_ms_ > 0) std::fputs("\r\033[K", stderr);
 }
 
-void ProgressBar::update(std::size_t done, std::size_t total) {
+void ProgressBar::update(std::size_t done, std::size_t total, const std::string& note) {
   const std::int64_t now = now_ms();
   if (!shown_ || total == 0 || now - started_ms_ < 300 || now - drawn_ms_ < 100) return;
   drawn_ms_ = now;
@@ -239,8 +258,8 @@ void ProgressBar::update(std::size_t done, std::size_t total) {
   const double left =
       share > 0.0 ? static_cast<double>(now - started_ms_) / 1000.0 * (1.0 - share) / share : 0.0;
   const auto filled = static_cast<std::size_t>(share * 30.0);
-  std::fputs(fmt::format("\r{} [{:<30}] {:3.0f} %  {}/{}  {:.0f} s left\033[K", what_,
-                         std::string(filled, '#'), share * 100.0, done, total, left)
+  std::fputs(fmt::format("\r{} [{:<30}] {:3.0f} %  {}/{}  {:.0f} s left  {}\033[K", what_,
+                         std::string(filled, '#'), share * 100.0, done, total, left, note)
                  .c_str(),
              stderr);
 }

@@ -1,7 +1,9 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 #include <sstream>
+#include <thread>
 
 #include "common.hpp"
 #include "linewright/allocation/allocator.hpp"
@@ -42,8 +44,9 @@ Outcome play(const Scenario& scenario, const Simulator& simulator,
   const RunOptions crew = one_crew(arguments.run, simulator.line());
   const RunSetup setup = sample_setup(simulator.line(), crew, arguments.run.seed);
   const Configuration& configuration = arguments.run.configuration;
-  const auto planner = PlannerRegistry::make(configuration.planner, simulator,
-                                             planner_context(scenario, configuration.allocator));
+  PlannerContext context = planner_context(scenario, configuration.allocator);
+  context.threads = std::max(1U, std::thread::hardware_concurrency());  // one run: all for it
+  const auto planner = PlannerRegistry::make(configuration.planner, simulator, context);
   const auto allocator = make_allocator(configuration.allocator, simulator);
   run_episode(simulator, outcome.state, setup, arguments.run.seed, *planner, *allocator,
               {.log = &outcome.log, .cancel = &interrupted()});

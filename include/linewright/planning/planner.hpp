@@ -80,7 +80,10 @@ struct PlannerContext {
 /// - `first`: the one with the lowest number
 /// - `priority:LIST`: the first one of a comma-separated list of task numbers or names; tasks that
 ///   the list leaves out come last, by number
+///   `priority:tuned`: the list that tune_priority found for the scenario (priority_file.hpp)
 /// - `policy:FILE`: a learned policy (policy_planner.hpp)
+/// - `lookahead:BUDGET,...`: the best future found (lookahead.hpp)
+/// - `fifo`, `spt`, ...: the dispatching rules (rules.hpp)
 class PlannerRegistry {
  public:
   struct Entry {
@@ -97,5 +100,9 @@ class PlannerRegistry {
                                                      const Simulator& simulator,
                                                      const PlannerContext& context = {});
 };
+
+/// The planners of a comma-separated list. Planners may hold commas themselves: a new one begins
+/// behind a comma only with a name of the registry (alone, or followed by ':').
+[[nodiscard]] std::vector<std::string> split_planners(std::string_view list);
 
 }  // namespace linewright
