@@ -48,7 +48,7 @@ std::string planners_text(const LineModel& line, const std::vector<Evaluation>& 
   const bool fails = any_fails(evaluations);
   std::vector<std::vector<std::string>> rows{{"planner", "allocator"}};
   for (const TrialSummary& row : first.rows) rows[0].push_back(crew_name(line, row.crew));
-  for (const char* title : {"mean", "minus first", "ci95"}) rows[0].emplace_back(title);
+  for (const char* title : {"mean", "difference", "ci95"}) rows[0].emplace_back(title);
   if (fails) rows[0].emplace_back("success");
   for (const char* title : {"p50 ms", "p99 ms"}) rows[0].emplace_back(title);
   for (const Evaluation& evaluation : evaluations) {
@@ -64,8 +64,8 @@ std::string planners_text(const LineModel& line, const std::vector<Evaluation>& 
     row.push_back(is_first ? "" : fmt::format("{:.1f}", difference.ci95));
     if (fails) row.push_back(fmt::format("{:.3f}", evaluation.success_rate()));
     const Latency latency = latency_of(evaluation);
-    row.push_back(fmt::format("{:.3f}", latency.p50_ms));
-    row.push_back(fmt::format("{:.3f}", latency.p99_ms));
+    row.push_back(fmt::format("{:.4f}", latency.p50_ms));
+    row.push_back(fmt::format("{:.4f}", latency.p99_ms));
     rows.push_back(std::move(row));
   }
   return fmt::format(

@@ -27,9 +27,9 @@ LineModel two_buffers() {
   table.set(far, near, {10, 20.0});
   table.set(near, far, {10, 20.0});
   line.travel.push_back(std::move(table));
-  line.places.push_back({.name = "heap", .initial = {10, 0}});
-  line.places.push_back({.name = "buffer_a", .capacity = 4, .at = far});
-  line.places.push_back({.name = "buffer_b", .capacity = 4, .at = near});
+  line.places.push_back({.name = "heap", .of = "blank", .initial = {10, 0}});
+  line.places.push_back({.name = "buffer_a", .of = "blank", .capacity = 4, .at = far});
+  line.places.push_back({.name = "buffer_b", .of = "blank", .capacity = 4, .at = near});
   line.places.push_back({.name = "shelf"});
   const auto add = [&](std::size_t index, StationId at, Tick by_hand, Tick by_machine) {
     const std::string name(1, static_cast<char>('a' + index));
@@ -74,6 +74,7 @@ class Rules : public ::testing::Test {
   void run(std::size_t task) {
     Assignment assignment{TaskId(task)};
     assignment.members[0] = 0;
+    ASSERT_EQ(simulator_.explain_refusal(state_, assignment), "");
     ASSERT_TRUE(simulator_.assign(state_, assignment));
     simulator_.advance(state_);
   }
