@@ -14,8 +14,9 @@ struct LookaheadOptions {
   /// Nanoseconds per decision, the decision's own work included; 0: not set. More finds better
   /// plans: on the duct line little is gained beyond 10 ms.
   std::int64_t budget_ns = 0;
-  /// Futures played per decision; 0: not set. One takes as long as the run it plays (30 us for an
-  /// order of five on the duct line). The same number gives the same decisions on every machine.
+  /// Futures played per decision (at the first one at least one of every base planner); 0: not set.
+  /// One takes as long as the run it plays (30 us for an order of five on the duct line). The same
+  /// number gives the same decisions on every machine.
   std::size_t rollouts = 0;
   /// The planner that futures begin with and fall back to (any but `lookahead`); empty: every
   /// dispatching rule is tried, and `priority:tuned` where the scenario has one.
