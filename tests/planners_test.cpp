@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cctype>
 #include <memory>
 #include <string>
 #include <utility>
@@ -54,8 +56,8 @@ std::vector<std::string> rules_and_lookahead() {
 }
 
 INSTANTIATE_TEST_SUITE_P(All, EveryRule, ::testing::ValuesIn(rules_and_lookahead()),
-                         [](const ::testing::TestParamInfo<std::string>& info) {
-                           std::string name = info.param;
+                         [](const ::testing::TestParamInfo<std::string>& planner) {
+                           std::string name = planner.param;
                            for (char& c : name) c = std::isalnum(c) != 0 ? c : '_';
                            return name;
                          });

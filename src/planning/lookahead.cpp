@@ -68,9 +68,10 @@ class LookaheadPlanner final : public Planner {
     const std::uint64_t future = RandomStream::derive(seed_, "futures", decisions_).next();
     for (const auto& chain : chains_) chain->player.reseed(future);
     find_incumbent(state, choices);
-    if (incumbent_.cost == kWorst) return chains_[0]->base->decide(state, choices);
-    improve(choices);
-    ++decisions_;
+    if (incumbent_.cost < kWorst) {
+      improve(choices);
+      ++decisions_;
+    }
     return first_of_plan(state, choices);
   }
 
@@ -87,15 +88,16 @@ class LookaheadPlanner final : public Planner {
     incumbent_.cost = kWorst;
     used_ = 0;
     const auto consider = [&](Planner& base) {
-      player.play(state, &choices, plan_, base, incumbent_.cost, trial_);
+      player.play(state, &choices, wishes_, base, incumbent_.cost, trial_);
       ++used_;
       if (trial_.cost < incumbent_.cost) std::swap(trial_, incumbent_);
     };
+    wishes_ = plan_;
     consider(*chains_[0]->base);
     if (decisions_ > 0) return;
     for (const auto& planner : seeds_) {
       if (out_of_time()) return;
-      plan_.clear();
+      wishes_.clear();
       consider(*planner);
     }
   }
@@ -138,6 +140,8 @@ class LookaheadPlanner final : public Planner {
     return true;
   }
 
+  /// As the base planner where the plan is at its end, or (never played to the end in time) does
+  /// not fit the state.
   Decision first_of_plan(const SimulationState& state, const Choices& choices) {
     if (plan_.empty()) return chains_[0]->base->decide(state, choices);
     const Wish wish = plan_.front();
@@ -151,9 +155,9 @@ class LookaheadPlanner final : public Planner {
     const bool possible =
         choices.tasks.contains(wish.task) &&
         (!decision.assignment || simulator.can_assign(state, *decision.assignment));
-    if (!possible) return Decision::wait();
+    if (!possible && wish.insist) return Decision::wait();
     plan_.erase(plan_.begin());
-    return decision;
+    return possible ? decision : chains_[0]->base->decide(state, choices);
   }
 
   LookaheadOptions options_;
@@ -165,6 +169,7 @@ class LookaheadPlanner final : public Planner {
   std::uint64_t decisions_ = 0;
   std::int64_t deadline_ = 0;  ///< 0: none
   std::vector<Wish> plan_;     ///< the best future known, from the decision to come
+  std::vector<Wish> wishes_;   ///< scratch
   Future incumbent_;
   Future trial_;
   std::size_t used_ = 0;  ///< futures played for this decision so far
