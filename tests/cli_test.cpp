@@ -265,7 +265,7 @@ TEST(Cli, TunesAPriorityThatThePlannerThenTakes) {
   const std::string run = "simulate " + file + " --json --planner priority:";
   EXPECT_EQ(linewright(run + "tuned").out,
             linewright(run + json["orders"][0]["priority"].get<std::string>()).out);
-  std::ofstream(file, std::ios::app) << "# another version\n";
+  std::ofstream(file, std::ios::app) << "allow_wait: true\n";
   const Output stale = linewright(run + "tuned");
   EXPECT_EQ(stale.code, 2);
   EXPECT_NE(stale.err.find("linewright tune-priority"), std::string::npos) << stale.err;

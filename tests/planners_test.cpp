@@ -95,13 +95,13 @@ TEST(Lookahead, GivesTheSameRunForAnyNumberOfThreads) {
 
 TEST(Lookahead, FindsShorterRunsWithFreeAgentsAndWaiting) {
   const Line& line = shipped_line(kDuctLine);
-  const std::string planner = std::string("lookahead:60r,base=") + kBase;
+  const std::string planner = std::string("lookahead:80r,base=") + kBase;
   int with_allocator = 0;
   int free = 0;
   for (std::uint64_t seed = 1; seed <= 2; ++seed) {
-    with_allocator += makespan(run_line(line, crew_of({2, 2}), seed, planner, "sap").state);
+    with_allocator += makespan(run_line(line, crew_of({1, 2}), seed, planner, "sap").state);
     free += makespan(
-        run_line(line, crew_of({2, 2}), seed, planner + ",agents=free,wait=true", "sap").state);
+        run_line(line, crew_of({1, 2}), seed, planner + ",agents=free,wait=true", "sap").state);
   }
   EXPECT_LT(free, with_allocator);
 }
