@@ -236,6 +236,59 @@ TEST(Cli, BenchPrintsSpeedAndTheSameFingerprintTwice) {
   EXPECT_EQ(json["fingerprint"], Json::parse(linewright(command).out)["fingerprint"]);
 }
 
+TEST(Cli, EvaluatePutsPlannersSideBySide) {
+  const std::string command =
+      "evaluate scenarios/duct_line.yaml --humans 2 --robots 2 --trials 4 --allocator "
+      "sap,first_idle --planner first,priority:1,2,8,mwkr --planner lookahead:5r";
+  const Output output = linewright(command + " --json");
+  ASSERT_EQ(output.code, 0) << output.err;
+  const Json json = Json::parse(output.out);
+  ASSERT_EQ(json["evaluations"].size(), 8U);
+  EXPECT_EQ(json["evaluations"][2]["planner"], "priority:1,2,8");
+  EXPECT_EQ(json["evaluations"][3]["allocator"], "first_idle");
+  EXPECT_GE(json["evaluations"][6]["decision_ms"]["p99"],
+            json["evaluations"][6]["decision_ms"]["p50"]);
+  ASSERT_EQ(json["paired"].size(), 7U);
+  EXPECT_EQ(json["paired"][0]["minus"], "first+sap");
+  EXPECT_LT(json["paired"][5]["difference"]["mean"], 0.0);
+  EXPECT_NE(linewright(command).out.find("lookahead:5r"), std::string::npos);
+}
+
+TEST(Cli, TunesAPriorityThatThePlannerThenTakes) {
+  const std::string file = temporary("kitting.yaml");
+  std::filesystem::copy_file(LINEWRIGHT_SOURCE_DIR "/scenarios/teaching/kitting_cell.yaml", file);
+  const Output tuned = linewright("tune-priority " + file + " --runs 500 --starts 3 --json");
+  ASSERT_EQ(tuned.code, 0) << tuned.err;
+  const Json json = Json::parse(tuned.out);
+  ASSERT_EQ(json["orders"].size(), 2U);
+  EXPECT_TRUE(std::filesystem::exists(json["file"].get<std::string>()));
+  const std::string run = "simulate " + file + " --json --planner priority:";
+  EXPECT_EQ(linewright(run + "tuned").out,
+            linewright(run + json["orders"][0]["priority"].get<std::string>()).out);
+  std::ofstream(file, std::ios::app) << "allow_wait: true\n";
+  const Output stale = linewright(run + "tuned");
+  EXPECT_EQ(stale.code, 2);
+  EXPECT_NE(stale.err.find("linewright tune-priority"), std::string::npos) << stale.err;
+  std::filesystem::remove(file);
+  std::filesystem::remove(json["file"].get<std::string>());
+}
+
+TEST(Cli, SolvesAndWritesALogThatReplays) {
+  const std::string log = temporary("solved.jsonl");
+  const Output output = linewright(
+      "solve scenarios/duct_line.yaml --humans 2 --robots 1 --rollouts 400 --agents "
+      "free --wait --json --log " +
+      log);
+  ASSERT_EQ(output.code, 0) << output.err;
+  const Json run = Json::parse(output.out)["runs"][0];
+  EXPECT_LT(run["makespan"], run["warm_start"]["makespan"]);
+  const Output replay =
+      linewright("simulate scenarios/duct_line.yaml --planner replay --json --decisions " + log);
+  ASSERT_EQ(replay.code, 0) << replay.err;
+  EXPECT_EQ(Json::parse(replay.out)["makespan"], run["makespan"]);
+  std::filesystem::remove(log);
+}
+
 TEST(Cli, CheckReportsTheDeadStateOfEarlyCollecting) {
   const Output output = linewright("check scenarios/duct_line.yaml --humans 1 --robots 1 --json");
   ASSERT_EQ(output.code, 0) << output.err;
@@ -321,6 +374,22 @@ INSTANTIATE_TEST_SUITE_P(
         Wrong{"simulate scenarios/duct_line.yaml --planner priority:cut_strait",
               "did you mean 'cut_straight'?"},
         Wrong{"simulate scenarios/duct_line.yaml --planner priority:1,1", "listed twice"},
+        Wrong{"simulate scenarios/duct_line.yaml --planner lookahead:0ms", "nothing to look ahead"},
+        Wrong{"simulate scenarios/duct_line.yaml --planner lookahead:1ms,agent=free",
+              "did you mean 'agents'?"},
+        Wrong{"simulate scenarios/teaching/long_hall.yaml --planner priority:tuned",
+              "linewright tune-priority scenarios/teaching/long_hall.yaml"},
+        Wrong{"evaluate scenarios/duct_line.yaml --planner first,random,first", "listed twice"},
+        Wrong{"evaluate scenarios/duct_line.yaml --planner first,random --versus random",
+              "name one planner"},
+        Wrong{"solve scenarios/duct_line.yaml --budget 0s", "leaves nothing to search with"},
+        Wrong{"solve scenarios/duct_line.yaml --budget 60", "is no time"},
+        Wrong{"solve scenarios/duct_line.yaml --budget 1s --rollouts 5", "--rollouts"},
+        Wrong{"solve scenarios/duct_line.yaml --humans 1,2 --rollouts 5 --log out/x.jsonl",
+              "for one run"},
+        Wrong{"solve scenarios/duct_line.yaml --rollouts 5 --allocator no_spatial",
+              "draws at random"},
+        Wrong{"tune-priority scenarios/duct_line.yaml --runs 0", "--runs"},
         Wrong{"simulate scenarios/duct_line.yaml --planner first:3", "takes no '3'"},
         Wrong{"simulate scenarios/duct_line.yaml --humans 7", "made for 1 to 3"},
         Wrong{"simulate scenarios/duct_line.yaml --humans two", "is no count"},

@@ -22,12 +22,7 @@ namespace {
 constexpr std::int32_t kMostOfAKind = 10'000;  // what scenarios allow
 constexpr std::size_t kMostCrews = 10'000;     // of one command
 
-std::int64_t now_ms() {
-  using std::chrono::steady_clock;
-  return std::chrono::duration_cast<std::chrono::milliseconds>(
-             steady_clock::now().time_since_epoch())
-      .count();
-}
+std::int64_t now_ms() { return clock_ns() / 1'000'000; }
 
 std::int32_t parse_count(const std::string& option, std::string_view text) {
   std::int32_t value = 0;
@@ -118,6 +113,25 @@ void add_configuration_options(CLI::App& app, RunArguments& arguments) {
       ->type_name("NAME");
 }
 
+std::vector<std::string> allocators_of(std::string_view list) {
+  const auto& known = allocator_names();
+  std::vector<std::string> names;
+  while (true) {
+    const std::size_t comma = std::min(list.find(','), list.size());
+    const std::string name(list.substr(0, comma));
+    if (std::find(known.begin(), known.end(), name) == known.end()) {
+      throw ScenarioError({}, fmt::format("unknown allocator '{}'", name), name_hint(name, known));
+    }
+    if (std::find(names.begin(), names.end(), name) != names.end()) {
+      throw ScenarioError({}, fmt::format("--allocator: '{}' is listed twice", name),
+                          "list each allocator once");
+    }
+    names.push_back(name);
+    if (comma == list.size()) return names;
+    list.remove_prefix(comma + 1);
+  }
+}
+
 std::vector<RunOptions> crews_of(const RunArguments& arguments, const LineModel& line, bool fill) {
   std::vector<std::vector<std::int32_t>> counts(line.worker_kinds.size());
   const auto set = [&](const std::string& option, const std::string& kind,
@@ -194,6 +208,21 @@ Scenario load(const std::string& file, bool route_cache) {
   return scenario;
 }
 
+std::int64_t clock_ns() {
+  using std::chrono::steady_clock;
+  return std::chrono::duration_cast<std::chrono::nanoseconds>(
+             steady_clock::now().time_since_epoch())
+      .count();
+}
+
+PlannerContext planner_context(const Scenario& scenario, const std::string& allocator) {
+  return {.allocator = allocator,
+          .now_ns = clock_ns,
+          .scenario_file = scenario.file,
+          .scenario_hash = scenario.content_hash,
+          .cancel = &interrupted()};
+}
+
 std::string crew_name(const LineModel& line, const std::vector<std::int32_t>& counts) {
   std::string name;
   for (std::size_t k = 0; k < counts.size(); ++k) {
@@ -221,7 +250,7 @@ ProgressBar::~ProgressBar() {
   if (shown_ && drawn_ms_ > 0) std::fputs("\r\033[K", stderr);
 }
 
-void ProgressBar::update(std::size_t done, std::size_t total) {
+void ProgressBar::update(std::size_t done, std::size_t total, const std::string& note) {
   const std::int64_t now = now_ms();
   if (!shown_ || total == 0 || now - started_ms_ < 300 || now - drawn_ms_ < 100) return;
   drawn_ms_ = now;
@@ -229,8 +258,8 @@ void ProgressBar::update(std::size_t done, std::size_t total) {
   const double left =
       share > 0.0 ? static_cast<double>(now - started_ms_) / 1000.0 * (1.0 - share) / share : 0.0;
   const auto filled = static_cast<std::size_t>(share * 30.0);
-  std::fputs(fmt::format("\r{} [{:<30}] {:3.0f} %  {}/{}  {:.0f} s left\033[K", what_,
-                         std::string(filled, '#'), share * 100.0, done, total, left)
+  std::fputs(fmt::format("\r{} [{:<30}] {:3.0f} %  {}/{}  {:.0f} s left  {}\033[K", what_,
+                         std::string(filled, '#'), share * 100.0, done, total, left, note)
                  .c_str(),
              stderr);
 }

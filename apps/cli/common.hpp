@@ -9,6 +9,7 @@
 
 #include "linewright/base/cancel.hpp"
 #include "linewright/evaluation/trials.hpp"
+#include "linewright/planning/planner.hpp"
 #include "linewright/scenario/scenario.hpp"
 #include "linewright/simulation/run_setup.hpp"
 
@@ -48,6 +49,9 @@ void add_run_options(CLI::App& app, RunArguments& arguments);
 void add_configuration_options(CLI::App& app, RunArguments& arguments);
 void add_close_option(CLI::App& app, RunArguments& arguments);
 
+/// The allocators of a comma list. Throws ScenarioError for names that are unknown or listed twice.
+[[nodiscard]] std::vector<std::string> allocators_of(std::string_view list);
+
 /// The closures that --close names. Throws ScenarioError for unknown zones and bad ticks.
 [[nodiscard]] std::vector<Closure> closures_of(const RunArguments& arguments,
                                                const LineModel& line);
@@ -67,6 +71,13 @@ void add_close_option(CLI::App& app, RunArguments& arguments);
 /// prints what is odd about the scenario.
 [[nodiscard]] Scenario load(const std::string& file, bool route_cache = true);
 
+/// Nanoseconds of a clock that never goes back.
+[[nodiscard]] std::int64_t clock_ns();
+
+/// What planners of a command may use. With a clock, and stopped by Ctrl-C.
+[[nodiscard]] PlannerContext planner_context(const Scenario& scenario,
+                                             const std::string& allocator);
+
 /// "H2R2"-like name of a crew: initials and counts.
 [[nodiscard]] std::string crew_name(const LineModel& line, const std::vector<std::int32_t>& counts);
 
@@ -84,7 +95,8 @@ class ProgressBar {
   ProgressBar(const ProgressBar&) = delete;
   ProgressBar& operator=(const ProgressBar&) = delete;
 
-  void update(std::size_t done, std::size_t total);
+  /// `note`: what else to say, behind the numbers.
+  void update(std::size_t done, std::size_t total, const std::string& note = {});
 
  private:
   std::string what_;
@@ -105,6 +117,8 @@ Command add_routes(CLI::App& app);
 Command add_bench(CLI::App& app);
 Command add_schema(CLI::App& app);
 Command add_train(CLI::App& app);
+Command add_tune_priority(CLI::App& app);
+Command add_solve(CLI::App& app);
 
 /// Becomes the trainer, a program of its own because LibTorch costs 0.4 s at every start.
 /// `arguments`: those of the command line from the word `train` on. Throws ScenarioError when there

@@ -17,6 +17,7 @@ using Json = nlohmann::ordered_json;
 
 struct EvaluateArguments {
   RunArguments run;
+  std::vector<std::string> planners;
   std::size_t trials = 100;
   std::size_t threads = 0;
   std::string csv;
@@ -33,46 +34,57 @@ Configuration parse_versus(const std::string& text, const Configuration& base) {
   return configuration;
 }
 
-/// One for each allocator of the comma list. Throws ScenarioError for names that are unknown or
-/// listed twice: before the first run, which may take long.
-std::vector<Configuration> listed(const Configuration& configuration) {
-  std::vector<Configuration> all;
-  std::string_view rest = configuration.allocator;
-  while (true) {
-    const std::size_t comma = std::min(rest.find(','), rest.size());
-    const std::string name(rest.substr(0, comma));
-    const auto& known = allocator_names();
-    if (std::find(known.begin(), known.end(), name) == known.end()) {
-      throw ScenarioError({}, fmt::format("unknown allocator '{}'", name), name_hint(name, known));
+/// The planners that the options name, each once; `first` by default.
+std::vector<std::string> planners_of(const EvaluateArguments& arguments) {
+  std::vector<std::string> all;
+  for (const std::string& list : arguments.planners) {
+    for (const std::string& planner : split_planners(list)) {
+      if (planner == "replay") {
+        throw ScenarioError({}, "planner 'replay' is only for simulate",
+                            "use simulate --planner replay --decisions FILE");
+      }
+      if (std::find(all.begin(), all.end(), planner) != all.end()) {
+        throw ScenarioError({}, fmt::format("--planner: '{}' is listed twice", planner),
+                            "list each planner once");
+      }
+      all.push_back(planner);
     }
-    for (const Configuration& earlier : all) {
-      if (earlier.allocator != name) continue;
-      throw ScenarioError({}, fmt::format("--allocator: '{}' is listed twice", name),
-                          "list each allocator once");
-    }
-    all.push_back({.planner = configuration.planner, .allocator = name});
-    if (comma == rest.size()) return all;
-    rest.remove_prefix(comma + 1);
   }
+  if (all.empty()) all.push_back(arguments.run.configuration.planner);
+  return all;
 }
 
-/// What is to be evaluated: one configuration, two with --versus, or one per allocator.
+/// What is to be evaluated: every planner with every allocator, or two with --versus. Throws
+/// ScenarioError for names that are unknown or listed twice: before the first run, which may take
+/// long.
 std::vector<Configuration> configurations_of(const EvaluateArguments& arguments) {
-  if (arguments.run.configuration.planner == "replay") {
-    throw ScenarioError({}, "planner 'replay' is only for simulate",
-                        "use simulate --planner replay --decisions FILE");
+  const std::vector<std::string> planners = planners_of(arguments);
+  const std::vector<std::string> allocators = allocators_of(arguments.run.configuration.allocator);
+  std::vector<Configuration> configurations;
+  for (const std::string& planner : planners) {
+    for (const std::string& allocator : allocators) {
+      configurations.push_back({.planner = planner, .allocator = allocator, .make_planner = {}});
+    }
   }
-  std::vector<Configuration> configurations = listed(arguments.run.configuration);
   if (arguments.versus.empty()) return configurations;
-  if (configurations.size() > 1) {
+  const auto refuse_list = [](const char* option, std::size_t count) {
     throw ScenarioError(
-        {},
-        fmt::format("--versus compares two configurations, but --allocator lists {}",
-                    configurations.size()),
-        "leave out --versus, or name one allocator");
-  }
+        {}, fmt::format("--versus compares two configurations, but {} lists {}", option, count),
+        fmt::format("leave out --versus, or name one {}", option + 2));
+  };
+  if (planners.size() > 1) refuse_list("--planner", planners.size());
+  if (allocators.size() > 1) refuse_list("--allocator", allocators.size());
   configurations.push_back(parse_versus(arguments.versus, configurations[0]));
   return configurations;
+}
+
+/// A planner that cannot be made is an error before the first run.
+void try_planners(const Scenario& scenario, const std::vector<Configuration>& configurations) {
+  const Simulator simulator(std::make_shared<const LineModel>(scenario.line));
+  for (const Configuration& configuration : configurations) {
+    static_cast<void>(PlannerRegistry::make(configuration.planner, simulator,
+                                            planner_context(scenario, configuration.allocator)));
+  }
 }
 
 void add_plan(const EvaluateArguments& arguments, const LineModel& line, Json& object) {
@@ -104,18 +116,20 @@ void show(const EvaluateArguments& arguments, const LineModel& line,
   if (paired) print(paired_text(line, evaluations[0], evaluations[1]));
 }
 
-/// Several allocators, all complete.
-void show_allocators(const EvaluateArguments& arguments, const LineModel& line,
-                     const std::vector<Evaluation>& evaluations) {
+/// Several configurations, all complete.
+void show_several(const EvaluateArguments& arguments, const LineModel& line,
+                  const std::vector<Evaluation>& evaluations, bool planners) {
   if (arguments.run.json) {
-    Json object{{"planner", arguments.run.configuration.planner}};
+    Json object = Json::object();
+    if (!planners) object["planner"] = configurations_of(arguments)[0].planner;
     add_plan(arguments, line, object);
-    object.update(allocators_json(line, evaluations));
+    object.update(planners && !evaluations.empty() ? planners_json(line, evaluations)
+                                                   : allocators_json(line, evaluations));
     print(object.dump(2) + "\n");
     return;
   }
   if (evaluations.empty()) return;
-  print(allocators_text(line, evaluations));
+  print(planners ? planners_text(line, evaluations) : allocators_text(line, evaluations));
   for (const Evaluation& evaluation : evaluations) {
     if (!arguments.utilisation) break;
     print(fmt::format("\n{}\n", name_of(evaluation.configuration)) +
@@ -127,10 +141,12 @@ int evaluate(const EvaluateArguments& arguments) {
   const std::vector<Configuration> configurations = configurations_of(arguments);
   const Scenario scenario = load(arguments.run.scenario);
   const LineModel& line = scenario.line;
+  try_planners(scenario, configurations);
   const TrialPlan plan{.crews = crews_of(arguments.run, line, true),
                        .trials = arguments.trials,
                        .seed = arguments.run.seed,
-                       .threads = arguments.threads};
+                       .threads = arguments.threads,
+                       .now_ns = clock_ns};
   std::vector<Evaluation> evaluations;
   for (const Configuration& configuration : configurations) {
     if (!interrupted().requested())
@@ -142,13 +158,13 @@ int evaluate(const EvaluateArguments& arguments) {
     std::erase_if(evaluations, [&](const Evaluation& evaluation) {
       return evaluation.rows.size() < plan.crews.size();
     });
-    show_allocators(arguments, line, evaluations);
+    show_several(arguments, line, evaluations, planners_of(arguments).size() > 1);
   } else if (!evaluations.empty()) {
     show(arguments, line, evaluations);
   }
   if (!arguments.csv.empty()) write_file(arguments.csv, evaluation_csv(line, evaluations, several));
   if (interrupted().requested()) {
-    report(several ? "interrupted: only the allocators whose trials were complete are shown"
+    report(several ? "interrupted: only the configurations whose trials were complete are shown"
                    : "interrupted: only the crews whose trials were complete are shown");
     return kInterrupted;
   }
@@ -172,6 +188,12 @@ Command add_evaluate(CLI::App& app) {
       ->description(app.get_option("--allocator")->get_description() +
                     "; several with commas are compared")
       ->type_name("NAME,...");
+  const std::string who = app.get_option("--planner")->get_description();
+  app.remove_option(app.get_option("--planner"));
+  app.add_option("--planner", arguments->planners,
+                 who + "; several with commas, or the option again, are compared (default: first)")
+      ->type_name("NAME,...")
+      ->allow_extra_args(false);
   add_close_option(app, arguments->run);
   app.add_option("--trials", arguments->trials, "Runs per crew, each from other start positions")
       ->capture_default_str()
@@ -193,7 +215,9 @@ Command add_evaluate(CLI::App& app) {
       "Failed runs count with the horizon as their makespan; success and progress stand beside.\n"
       "Examples:\n  linewright evaluate scenarios/duct_line.yaml --planner first --humans 1..3 "
       "--robots 1..3 --trials 100 --versus +no_spatial\n"
-      "  linewright evaluate scenarios/duct_line.yaml --allocator sap,no_spatial,longest_path");
+      "  linewright evaluate scenarios/duct_line.yaml --allocator sap,no_spatial,longest_path\n"
+      "  linewright evaluate scenarios/duct_line.yaml --planner "
+      "first,priority:tuned,lookahead:1ms");
   return [arguments] { return evaluate(*arguments); };
 }
 

@@ -66,16 +66,32 @@ struct Evaluation {
 [[nodiscard]] std::string allocators_text(const LineModel& line,
                                           const std::vector<Evaluation>& evaluations);
 
+/// One table with a row per configuration (all with every crew): makespan by crew, the paired
+/// difference to the first, and how long decisions took.
+[[nodiscard]] std::string planners_text(const LineModel& line,
+                                        const std::vector<Evaluation>& evaluations);
+
+/// How long decisions took, over all crews and trials; zeros without any.
+struct Latency {
+  double p50_ms = 0.0;
+  double p99_ms = 0.0;
+  double max_ms = 0.0;
+};
+[[nodiscard]] Latency latency_of(const Evaluation& evaluation);
+
 /// A row per configuration and crew; with `means` also one for the mean over the crews.
 [[nodiscard]] std::string evaluation_csv(const LineModel& line,
                                          const std::vector<Evaluation>& evaluations, bool means);
 
-// The objects of docs/cli.md, evaluate; allocators_json: of several complete evaluations.
+// The objects of docs/cli.md, evaluate; allocators_json and planners_json: of several complete
+// evaluations.
 [[nodiscard]] nlohmann::ordered_json evaluation_json(const LineModel& line,
                                                      const Evaluation& evaluation);
 [[nodiscard]] nlohmann::ordered_json paired_json(const LineModel& line, const Evaluation& first,
                                                  const Evaluation& second);
 [[nodiscard]] nlohmann::ordered_json allocators_json(const LineModel& line,
                                                      const std::vector<Evaluation>& evaluations);
+[[nodiscard]] nlohmann::ordered_json planners_json(const LineModel& line,
+                                                   const std::vector<Evaluation>& evaluations);
 
 }  // namespace linewright::cli

@@ -47,6 +47,8 @@ class RuleAllocator final : public Allocator {
 
   void reset(std::uint64_t seed) override { random_ = RandomStream::derive(seed, "allocator"); }
 
+  [[nodiscard]] bool draws() const override { return rule_ == Rule::kRandom; }
+
   Assignment allocate(const SimulationState& state, TaskId task) override {
     Assignment assignment(task);
     const auto& crew = crew_of(task);

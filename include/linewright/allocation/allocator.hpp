@@ -24,6 +24,9 @@ class Allocator {
   /// assignment.
   [[nodiscard]] virtual Assignment allocate(const SimulationState& state, TaskId task) = 0;
 
+  /// Whether it draws at random: equal states may then get different answers.
+  [[nodiscard]] virtual bool draws() const { return false; }
+
   /// Who joins a running task. A worker of the slot's kind must be free.
   [[nodiscard]] virtual WorkerId join(const SimulationState& state, PendingJoin pending) = 0;
 };

@@ -1,0 +1,195 @@
+#include "linewright/planning/lookahead.hpp"
+
+#include <algorithm>
+#include <atomic>
+#include <utility>
+#include <vector>
+
+#include "future.hpp"
+#include "linewright/base/diagnostic.hpp"
+#include "linewright/base/random.hpp"
+#include "linewright/base/worker_pool.hpp"
+#include "local_search.hpp"
+#include "simple_planners.hpp"
+
+namespace linewright {
+namespace {
+
+using planning::Cost;
+using planning::Future;
+using planning::FuturePlayer;
+using planning::kWorst;
+using planning::LocalSearch;
+using planning::Wish;
+
+constexpr std::size_t kChainsOfRollouts = 4;
+
+/// One search, and what it needs of its own so that it can run beside the others.
+struct Chain {
+  Chain(const Simulator& simulator, const LookaheadOptions& options, const PlannerContext& context,
+        std::function<bool()> give_up)
+      : base(planning::base_planner(options.base, simulator, context)),
+        player(
+            simulator,
+            {.allocator = context.allocator, .wait = options.wait, .give_up = std::move(give_up)}),
+        search(player, *base, {.free_agents = options.free_agents}),
+        random(0) {}
+
+  std::unique_ptr<Planner> base;
+  FuturePlayer player;
+  LocalSearch search;
+  RandomStream random;
+};
+
+class LookaheadPlanner final : public Planner {
+ public:
+  LookaheadPlanner(const Simulator& simulator, const LookaheadOptions& options,
+                   const PlannerContext& context)
+      : options_(options), context_(context), pool_(options.threads) {
+    for (std::size_t c = 0; c < options.chains; ++c) {
+      chains_.push_back(
+          std::make_unique<Chain>(simulator, options, context, [this] { return out_of_time(); }));
+    }
+    if (!options.base.empty()) return;
+    seeds_ = planning::simple_planners(simulator, context);
+  }
+
+  void reset(std::uint64_t seed) override {
+    seed_ = seed;
+    decisions_ = 0;
+    plan_.clear();
+    for (const auto& chain : chains_) chain->base->reset(seed);
+    for (const auto& planner : seeds_) planner->reset(seed);
+  }
+
+  Decision decide(const SimulationState& state, const Choices& choices) override {
+    deadline_ = options_.budget_ns > 0 ? context_.now_ns() + options_.budget_ns : 0;
+    // Not the random numbers of the run itself: these are unknown.
+    const std::uint64_t future = RandomStream::derive(seed_, "futures", decisions_).next();
+    for (const auto& chain : chains_) chain->player.reseed(future);
+    find_incumbent(state, choices);
+    if (incumbent_.cost < kWorst) {
+      improve(choices);
+      ++decisions_;
+    }
+    return first_of_plan(state, choices);
+  }
+
+ private:
+  [[nodiscard]] bool out_of_time() const {
+    if (context_.cancel != nullptr && context_.cancel->requested()) return true;
+    return deadline_ != 0 && context_.now_ns() >= deadline_;
+  }
+
+  /// The rest of the plan, played from where the run really stands; at the start of a run the best
+  /// of the base planners' futures.
+  void find_incumbent(const SimulationState& state, const Choices& choices) {
+    FuturePlayer& player = chains_[0]->player;
+    incumbent_.cost = kWorst;
+    used_ = 0;
+    const auto consider = [&](Planner& base) {
+      player.play(state, &choices, wishes_, base, incumbent_.cost, trial_);
+      ++used_;
+      if (trial_.cost < incumbent_.cost) std::swap(trial_, incumbent_);
+    };
+    wishes_ = plan_;
+    consider(*chains_[0]->base);
+    if (decisions_ > 0) return;
+    for (const auto& planner : seeds_) {
+      if (out_of_time()) return;
+      wishes_.clear();
+      consider(*planner);
+    }
+  }
+
+  void improve(const Choices& choices) {
+    const std::size_t left = options_.rollouts > used_ ? options_.rollouts - used_ : 0;
+    pool_.run(chains_.size(), [&](std::size_t begin, std::size_t end, std::size_t /*thread*/) {
+      for (std::size_t c = begin; c < end; ++c) {
+        chains_[c]->random =
+            RandomStream::derive(seed_, "lookahead", decisions_ * chains_.size() + c);
+        chains_[c]->search.begin(incumbent_, &choices);
+      }
+      if (options_.rollouts > 0) {
+        for (std::size_t c = begin; c < end; ++c) {
+          spend(*chains_[c], left / chains_.size() + (c < left % chains_.size() ? 1 : 0));
+        }
+        return;
+      }
+      // In turn, so that each gets as much of the time.
+      while (!out_of_time()) {
+        bool any = false;
+        for (std::size_t c = begin; c < end; ++c) any |= spend(*chains_[c], 4);
+        if (!any) return;
+      }
+    });
+    plan_ = incumbent_.decisions;
+    Cost least = incumbent_.cost;
+    for (const auto& chain : chains_) {
+      if (chain->search.best().cost >= least) continue;
+      least = chain->search.best().cost;
+      plan_ = chain->search.best().decisions;
+    }
+  }
+
+  bool spend(Chain& chain, std::size_t rollouts) const {
+    for (std::size_t r = 0; r < rollouts; ++r) {
+      if (out_of_time()) return false;
+      if (!chain.search.step(chain.random)) return false;
+    }
+    return true;
+  }
+
+  /// As the base planner where the plan is at its end, or (never played to the end in time) does
+  /// not fit the state.
+  Decision first_of_plan(const SimulationState& state, const Choices& choices) {
+    if (plan_.empty()) return chains_[0]->base->decide(state, choices);
+    const Wish wish = plan_.front();
+    Decision decision;
+    decision.task = wish.task;
+    if (wish.named) {
+      decision.assignment = Assignment(wish.task);
+      decision.assignment->members = wish.members;
+    }
+    const Simulator& simulator = chains_[0]->player.simulator();
+    const bool possible =
+        choices.tasks.contains(wish.task) &&
+        (!decision.assignment || simulator.can_assign(state, *decision.assignment));
+    if (!possible && wish.insist) return Decision::wait();
+    plan_.erase(plan_.begin());
+    return possible ? decision : chains_[0]->base->decide(state, choices);
+  }
+
+  LookaheadOptions options_;
+  PlannerContext context_;
+  WorkerPool pool_;
+  std::vector<std::unique_ptr<Chain>> chains_;
+  std::vector<std::unique_ptr<Planner>> seeds_;
+  std::uint64_t seed_ = 0;
+  std::uint64_t decisions_ = 0;
+  std::int64_t deadline_ = 0;  ///< 0: none
+  std::vector<Wish> plan_;     ///< the best future known, from the decision to come
+  std::vector<Wish> wishes_;   ///< scratch
+  Future incumbent_;
+  Future trial_;
+  std::size_t used_ = 0;  ///< futures played for this decision so far
+};
+
+}  // namespace
+
+std::unique_ptr<Planner> make_lookahead_planner(const Simulator& simulator,
+                                                const LookaheadOptions& options,
+                                                const PlannerContext& context) {
+  if (options.budget_ns > 0 && !context.now_ns) {
+    throw ScenarioError({}, "lookahead: there is no clock for a budget in time",
+                        "give a number of rollouts, such as lookahead:200r");
+  }
+  LookaheadOptions complete = options;
+  if (complete.threads == 0) complete.threads = std::max<std::size_t>(1, context.threads);
+  if (complete.chains == 0) {
+    complete.chains = complete.rollouts > 0 ? kChainsOfRollouts : complete.threads;
+  }
+  return std::make_unique<LookaheadPlanner>(simulator, complete, context);
+}
+
+}  // namespace linewright
