@@ -103,6 +103,7 @@ Command add_gantt(CLI::App& app);
 Command add_map(CLI::App& app);
 Command add_routes(CLI::App& app);
 Command add_bench(CLI::App& app);
+Command add_bound(CLI::App& app);
 Command add_schema(CLI::App& app);
 Command add_train(CLI::App& app);
 
