@@ -40,6 +40,7 @@ struct TaskEvents {
   int start = -1;  ///< the tick of the decision
   int end = -1;
   int first = -1;  ///< the first of its other events, which follow one another
+  int last = -1;
   std::vector<int> step_begin;
   std::vector<std::vector<std::vector<ActionEvents>>> actions;  ///< [step][sequence][action]
 };

@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <cstdlib>
 
+#include "cases.hpp"
 #include "line_net.hpp"
 #include "sequence.hpp"
 
@@ -15,28 +16,32 @@ std::vector<Bound> lower_bounds(const LineModel& line, const RunSetup& setup,
                                 const BoundOptions& options, const CancelToken* cancel) {
   const bounds::LineNet net(line, setup);
   const bounds::Times times = net.net.solve(net.columns);
-  std::vector<Bound> found{{"critical_path", net.end_of(times), ""}};
+  const auto cases = bounds::cases_of(net, times);
+  std::vector<Bound> found;
+  Tick over = 5000;
+  for (const auto& c : cases) {
+    if (c.ends >= over) break;
+    std::string text;
+    Tick best = c.ends;
+    text += fmt::format("path {} ", c.ends);
   for (std::size_t m = 0; m < line.machines.size(); ++m) {
+    if (best >= over) continue;
     const auto problem = bounds::machine_problem(net, MachineId(m));
     if (!problem || problem->jobs.size() < 2) continue;
-    const auto best = bounds::best_sequence(net, times, *problem, options.most_states, cancel);
-    if (best) found.push_back({"machine:" + line.machines[m].name, best->ticks, fmt::format("{} states", best->states)});
+    const auto r = bounds::best_sequence(net, c.times, *problem, over, options.most_states, cancel);
+    { text += fmt::format("{} {} ({}) ", line.machines[m].name, r.ticks, r.states); best = std::max(best, r.ticks); }
   }
   for (std::size_t k = 0; k < line.worker_kinds.size(); ++k) {
+    if (best >= over) continue;
     const auto problem = bounds::worker_problem(net, WorkerKindId(k));
     if (!problem) continue;
-    const auto best = bounds::best_sequence(net, times, *problem, options.most_states, cancel);
-    if (best) found.push_back({"worker:" + line.worker_kinds[k].name, best->ticks, fmt::format("{} states", best->states)});
+    const auto r = bounds::best_sequence(net, c.times, *problem, over, options.most_states, cancel);
+    { text += fmt::format("{} {} ({}) ", line.worker_kinds[k].name, r.ticks, r.states); best = std::max(best, r.ticks); }
   }
-  if (std::getenv("LW_DUMP") != nullptr) {
-    for (std::size_t e = 0; e < net.net.size(); ++e) {
-      std::string row;
-      for (int n = 1; n <= std::min(6, net.columns); ++n)
-        row += fmt::format(" {:>5}", std::min(99999, times.at(static_cast<int>(e), n)));
-      std::puts(fmt::format("{:4} {:<30}{}", e, net.net[static_cast<int>(e)].name, row).c_str());
-    }
+    over = std::min(over, best);
+    found.push_back({"case", best, text});
   }
-  std::stable_sort(found.begin(), found.end(), [](const Bound& a, const Bound& b) { return a.ticks > b.ticks; });
+  std::stable_sort(found.begin(), found.end(), [](const Bound& a, const Bound& b) { return a.ticks < b.ticks; });
   return found;
 }
 

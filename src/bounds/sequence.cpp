@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <map>
 
+#include "requirements.hpp"
 #include "sequence_lags.hpp"
 
 namespace linewright::bounds {
@@ -46,94 +47,206 @@ class Search {
  public:
   Search(const LineNet& net, const Times& times, const SequenceProblem& problem,
          std::size_t most_states, const CancelToken* cancel)
-      : problem_(problem),
+      : net_(net),
+        problem_(problem),
         lags_(net, times, problem),
         most_states_(most_states),
         cancel_(cancel) {
     weigh_work();
+    weigh_tails();
   }
 
-  std::optional<SequenceResult> run() {
-    // Narrow first: whatever it finds, no label that is later can lead to the least end.
-    best_ = kNever;
-    sweep(kNarrow, true);
-    const Tick found = best_;
-    if (!sweep(kWide, false)) return std::nullopt;
-    return SequenceResult{.ticks = std::min(best_, found), .states = states_};
+  /// Looks for ends below a limit, and raises it while there are none.
+  SequenceResult run(Tick enough) {
+    Tick proven = lags_.base(lags_.final_entry());
+    while (proven < enough) {
+      best_ = std::min(enough, proven + std::max(Tick{5}, proven / 50));
+      const Tick limit = best_;
+      if (!sweep()) break;
+      proven = best_;
+      if (best_ < limit) break;  // there is one: more cannot be proven
+    }
+    return {.ticks = proven, .states = states_};
   }
 
  private:
-  static constexpr std::size_t kNarrow = 50;  // labels per number of units in the first sweep
-  static constexpr std::size_t kWide = 12;    // labels per state before they are merged
+  static constexpr std::size_t kFinal = 0;  // where labels keep the end of the run
+  static constexpr std::size_t kWide = 12;  // labels per state before some are merged
 
   using Layer = std::map<Key, std::vector<Label>>;
 
-  /// Through the states by the number of units. False: given up.
-  bool sweep(std::size_t width, bool narrow) {
+  /// Through the states by the number of units, without those that cannot end before `best_`.
+  /// False: given up.
+  bool sweep() {
     layers_.clear();
-    for (const int place : problem_.starts)
+    for (const int place : problem_.starts) {
       add(0, {Units(problem_.jobs.size(), 0), place},
-          {.free = 0, .recovery = 1, .releases = lags_.base()}, width);
+          {.free = 0, .recovery = 1, .releases = lags_.kept_base()});
+    }
     for (std::size_t number = 0; number < layers_.size(); ++number) {
-      Layer layer = std::move(layers_[number]);
-      if (narrow) thin(layer);
+      const Layer layer = std::move(layers_[number]);
       std::size_t labels = 0;
       for (const auto& [key, list] : layer) labels += list.size();
-      if (!narrow && labels > most_states_) return false;
+      if (labels > most_states_) return false;
       if (cancel_ != nullptr && cancel_->requested()) return false;
       states_ += labels;
       for (const auto& [key, list] : layer) {
-        for (const Label& label : list) extend(number, key, label, width);
+        for (const Label& label : list) extend(number, key, label);
       }
     }
     return true;
   }
 
-  /// Keeps the labels that promise the earliest ends.
-  void thin(Layer& layer) const {
-    std::vector<Tick> promises;
-    for (const auto& [key, list] : layer) {
-      for (const Label& label : list) promises.push_back(promise(key.units, label));
-    }
-    if (promises.size() <= kNarrow) return;
-    std::nth_element(promises.begin(), promises.begin() + kNarrow, promises.end());
-    const Tick limit = promises[kNarrow];
-    for (auto& [key, list] : layer) {
-      std::erase_if(list,
-                    [&](const Label& label) { return promise(key.units, label) >= limit; });
-    }
-  }
-
-  /// The run cannot end before this tick.
+  /// The run cannot end before this tick: some of the work that is left, and what must follow the
+  /// last of it.
   [[nodiscard]] Tick promise(const Units& units, const Label& label) const {
-    Tick work = label.free;
-    Tick rest = kNever;
+    struct Left {
+      Tick tail;
+      Tick work;
+      Tick rest;
+    };
+    std::vector<Left> left;
     for (std::size_t j = 0; j < units.size(); ++j) {
       const int missing = lags_.end_needs(j) - units[j];
       if (missing <= 0) continue;
-      work += least_work_[j][static_cast<std::size_t>(missing)];
-      // The last of these jobs need not be over at the end, only its first unit.
-      for (const JobType::Variant& variant : problem_.jobs[j].variants)
-        rest = std::min(rest, variant.anchor_to_end - variant.units.front());
+      left.push_back({tails_[j][static_cast<std::size_t>(units[j])],
+                      least_work_[j][static_cast<std::size_t>(missing)], rests_[j]});
     }
-    const Tick end = label.releases[lags_.final_entry()];
-    return rest >= kNever ? end : std::max(end, work - std::max(0, rest));
+    std::sort(left.begin(), left.end(),
+              [](const Left& a, const Left& b) { return a.tail > b.tail; });
+    Tick end = label.releases[kFinal];
+    Tick work = label.free;
+    Tick rest = 0;
+    for (const Left& one : left) {
+      work += one.work;
+      rest = std::max(rest, one.rest);  // the last one need not be over, only its first unit done
+      end = std::max(end, work - rest + one.tail);
+    }
+    double more = all_work_;
+    for (std::size_t j = 0; j < units.size(); ++j) more -= unit_work_[j] * units[j];
+    if (more > 1e-6)
+      end = std::max(end, label.free + static_cast<Tick>(more + 1 - 1e-6) - longest_rest_);
+    return end;
+  }
+
+  /// By job and units done: the least ticks from any later unit that the end needs to the end.
+  void weigh_tails() {
+    for (std::size_t j = 0; j < problem_.jobs.size(); ++j) {
+      auto& tails = tails_.emplace_back(static_cast<std::size_t>(lags_.columns()) + 1, 0);
+      Tick least = kNever;
+      for (int n = lags_.end_needs(j); n >= 1; --n) {
+        Tick tail = 0;
+        for (const auto& [entry, lag] : lags_.after(j, n)) {
+          if (entry == kFinal) tail = lag;
+        }
+        least = std::min(least, tail);
+        tails[static_cast<std::size_t>(n - 1)] = least;
+      }
+      Tick longest = 0;
+      for (const JobType::Variant& variant : problem_.jobs[j].variants)
+        longest = std::max(longest, variant.anchor_to_end - variant.units.front());
+      rests_.push_back(std::max(0, longest));
+      longest_rest_ = std::max(longest_rest_, rests_.back());
+    }
   }
 
   /// By job and units: the least ticks in which the resource can do them.
   void weigh_work() {
+    Tick gap = 1;  // between two jobs
+    for (const JobType& job : problem_.jobs) {
+      for (const JobEnd& end : job.ends) gap = std::min(gap, end.recovery);
+    }
     for (const JobType& job : problem_.jobs) {
       auto& least = least_work_.emplace_back(1, 0);
       for (int units = 1; units <= lags_.columns(); ++units) {
         Tick best = kNever;
         for (int v = 1; v <= std::min(units, static_cast<int>(job.variants.size())); ++v) {
           const Tick once = job.variants[static_cast<std::size_t>(v - 1)].anchor_to_end +
-                            job.before + job.least;
+                            job.before + job.least + gap;
           best = std::min(best, once + least[static_cast<std::size_t>(units - v)]);
         }
         least.push_back(best);
       }
+      double per_unit = least.back();
+      for (std::size_t units = 1; units < least.size(); ++units)
+        per_unit = std::min(per_unit, least[units] / static_cast<double>(units));
+      unit_work_.push_back(per_unit);
     }
+    weigh_order();
+  }
+
+  /// The work in what was ordered, whichever jobs are chosen for it.
+  void weigh_order() {
+    for (const auto& [store, tokens] : net_.done) {
+      const double each = Requirements(net_, store).cost_of_goal([&](std::size_t f) {
+        return work_of(net_.flows[f]);
+      });
+      all_work_ = std::max(all_work_, each * (tokens - net_.initial(store)));
+    }
+  }
+
+  /// The work of one firing of a flow; where several jobs may have done it, the least.
+  [[nodiscard]] double work_of(const Flow& flow) const {
+    double least = -1.0;
+    const auto may_be = [&](double work) { least = least < 0.0 ? work : std::min(least, work); };
+    for (std::size_t t = 0; t < net_.tasks.size(); ++t) {
+      const bool any = flow.task ? flow.task->index() == t
+                                 : operates(net_.line.tasks[t], *flow.operation);
+      if (!any) continue;
+      double here = 0.0;
+      for (std::size_t j = 0; j < problem_.jobs.size(); ++j) {
+        const JobType& job = problem_.jobs[j];
+        const bool own = job.anchor == net_.tasks[t].start ||
+                         (job.anchor >= net_.tasks[t].first && job.anchor <= net_.tasks[t].last);
+        if (own) here = unit_work_[j] * units_of(job, TaskId(t), flow);
+      }
+      may_be(here);
+    }
+    if (flow.operation) {
+      for (std::size_t j = 0; j < problem_.jobs.size(); ++j) {
+        if (problem_.jobs[j].unit == net_.ends[flow.operation->index()]) may_be(unit_work_[j]);
+      }
+    }
+    return std::max(0.0, least);
+  }
+
+  static bool operates(const Task& task, OperationId operation) {
+    for (const Step& step : task.steps) {
+      for (const ActorSequence& sequence : step.sequences) {
+        for (const Action& action : sequence.actions) {
+          const auto* operate = std::get_if<OperateAction>(&action.what);
+          if (operate != nullptr && operate->operation == operation) return true;
+        }
+      }
+    }
+    return false;
+  }
+
+  /// Units of the task's job that one firing of the flow takes; 0: not known.
+  [[nodiscard]] double units_of(const JobType& job, TaskId task, const Flow& flow) const {
+    if (flow.task) {
+      const int item =
+          net_.tasks[task.index()].actions[flow.step][flow.sequence][flow.action].item;
+      if (item == job.unit) return 1.0;
+      const auto& transfer = std::get<TransferAction>(net_.line.tasks[task.index()]
+                                                          .steps[flow.step]
+                                                          .sequences[flow.sequence]
+                                                          .actions[flow.action]
+                                                          .what);
+      const bool executions = job.unit == job.anchor;
+      return executions && transfer.repeat > 0 ? 1.0 / transfer.repeat : 0.0;
+    }
+    if (job.unit != job.anchor) return 0.0;
+    int times = 0;
+    for (const Step& step : net_.line.tasks[task.index()].steps) {
+      for (const ActorSequence& sequence : step.sequences) {
+        for (const Action& action : sequence.actions) {
+          const auto* operate = std::get_if<OperateAction>(&action.what);
+          times += operate != nullptr && operate->operation == *flow.operation ? 1 : 0;
+        }
+      }
+    }
+    return times == 0 ? 0.0 : 1.0 / times;
   }
 
   [[nodiscard]] bool allowed(const Units& units, std::size_t j, int added) const {
@@ -172,29 +285,37 @@ class Search {
     return true;
   }
 
-  void extend(std::size_t number, const Key& key, const Label& label, std::size_t width) {
+  void extend(std::size_t number, const Key& key, const Label& label) {
     for (std::size_t j = 0; j < problem_.jobs.size(); ++j) {
       const auto most = static_cast<int>(problem_.jobs[j].variants.size());
       for (int added = 1; added <= most; ++added) {
         if (!allowed(key.units, j, added)) continue;
-        take(number, key, label, j, added, width);
+        take(number, key, label, j, added);
       }
     }
   }
 
-  void take(std::size_t number, const Key& key, const Label& label, std::size_t j, int added,
-            std::size_t width) {
+  [[nodiscard]] Tick release_of(const Label& label, std::size_t entry) const {
+    const int kept = lags_.kept(entry);
+    return kept < 0 ? lags_.base(entry) : label.releases[static_cast<std::size_t>(kept)];
+  }
+
+  void take(std::size_t number, const Key& key, const Label& label, std::size_t j, int added) {
     const JobType& job = problem_.jobs[j];
     const auto most = static_cast<int>(job.variants.size());
     const JobType::Variant& variant = job.variants[static_cast<std::size_t>(added - 1)];
     // At least so many executions have been before this one.
     const int execution = most == 1 ? key.units[j] + 1 : key.units[j] / most + 1;
     const auto release = [&](int which) {
-      return label.releases[lags_.entry(j, which, execution)];
+      return release_of(label, lags_.entry(j, which, execution));
     };
     const Tick from = job.start >= 0 ? release(Lags::kStart) : 0;
     Tick anchor = problem_.anchor(key.place, label.free, label.recovery, from, job);
     anchor = std::max(anchor, release(Lags::kAnchor));
+    Units reached_units = key.units;
+    reached_units[j] = static_cast<std::int16_t>(reached_units[j] + added);
+    for (const Lags::Fork& fork : lags_.forks())
+      anchor = std::max(anchor, shared(fork, reached_units, label) - variant.units.back());
     if (anchor >= best_) return;
     Label next = label;
     for (int unit = 1; unit <= added; ++unit) {
@@ -203,18 +324,75 @@ class Search {
         next.releases[entry] = std::max(next.releases[entry], tick + lag);
     }
     const Tick end = std::max(anchor + variant.anchor_to_end,
-                              next.releases[lags_.entry(j, Lags::kEnd, execution)]);
-    Key reached{key.units, -1};
-    reached.units[j] = static_cast<std::int16_t>(reached.units[j] + added);
+                              release_of(next, lags_.entry(j, Lags::kEnd, execution)));
+    Key reached{std::move(reached_units), -1};
     forget(reached.units, next);
-    if (next.releases[lags_.final_entry()] >= best_) return;
+    if (next.releases[kFinal] >= best_) return;
     finish(reached.units, next);
     for (const JobEnd& way : job.ends) {
       reached.place = way.place;
       next.free = end + way.after;
       next.recovery = way.recovery;
-      if (promise(reached.units, next) >= best_) continue;
-      add(number + static_cast<std::size_t>(added), reached, next, width);
+      next.releases[kFinal] = promise(reached.units, next);
+      if (next.releases[kFinal] >= best_) continue;
+      settle(reached, next);
+      add(number + static_cast<std::size_t>(added), reached, next);
+    }
+  }
+
+  /// The tick before which the last of these units cannot be: all tokens of the fork that they and
+  /// those before have used must have come.
+  [[nodiscard]] Tick shared(const Lags::Fork& fork, const Units& units,
+                            const Label& label) const {
+    int tokens = 0;
+    Tick least_lag = kNever;
+    for (const auto& way : fork.uses) {
+      int firings = 0;
+      Tick lag = 0;
+      for (std::size_t j = 0; j < units.size(); ++j) {
+        if (units[j] == 0) continue;
+        const Lags::Fork::Use& use = way[j][static_cast<std::size_t>(units[j] - 1)];
+        if (use.firings > firings) lag = 0;
+        firings = std::max(firings, use.firings);
+        if (use.firings == firings) lag = std::max(lag, use.lag);
+      }
+      if (firings > 0) least_lag = std::min(least_lag, lag);
+      tokens += firings;
+    }
+    if (tokens == 0) return 0;
+    const auto columns = static_cast<int>(fork.uses[0][0].size());
+    const auto last = static_cast<std::size_t>(std::min(tokens, columns) - 1);
+    return release_of(label, fork.entry + last) + least_lag;
+  }
+
+  /// What comes by itself before the resource can make use of it makes no difference.
+  void settle(const Key& key, Label& label) const {
+    for (std::size_t j = 0; j < key.units.size(); ++j) {
+      const JobType& job = problem_.jobs[j];
+      const auto most = static_cast<int>(job.variants.size());
+      const int next = most == 1 ? key.units[j] + 1 : key.units[j] / most + 1;
+      const Tick anchor = problem_.anchor(key.place, label.free, label.recovery, 0, job);
+      const Tick once = job.variants[0].anchor_to_end;
+      for (int n = next; n <= lags_.columns(); ++n) {
+        const Tick before = (n - next) * once;
+        const auto raise = [&](int which, Tick tick) {
+          const int kept = lags_.kept(lags_.entry(j, which, n));
+          if (kept < 0) return;
+          Tick& release = label.releases[static_cast<std::size_t>(kept)];
+          release = std::max(release, before + tick);
+        };
+        raise(Lags::kStart, label.free + label.recovery);
+        raise(Lags::kAnchor, anchor);
+        raise(Lags::kEnd, anchor + once);
+      }
+    }
+    for (const Lags::Fork& fork : lags_.forks()) {
+      for (int n = 0; n < lags_.columns(); ++n) {
+        const int kept = lags_.kept(fork.entry + static_cast<std::size_t>(n));
+        if (kept < 0) continue;
+        Tick& release = label.releases[static_cast<std::size_t>(kept)];
+        release = std::max(release, label.free);
+      }
     }
   }
 
@@ -224,7 +402,10 @@ class Search {
       const auto most = static_cast<int>(problem_.jobs[j].variants.size());
       const int behind = most == 1 ? units[j] : units[j] / most;
       for (int n = 1; n <= std::min(behind, lags_.columns()); ++n) {
-        for (int which = 0; which < 3; ++which) label.releases[lags_.entry(j, which, n)] = 0;
+        for (int which = 0; which < 3; ++which) {
+          const int kept = lags_.kept(lags_.entry(j, which, n));
+          if (kept >= 0) label.releases[static_cast<std::size_t>(kept)] = 0;
+        }
       }
     }
   }
@@ -235,23 +416,36 @@ class Search {
     }
     auto known = ends_.find(units);
     if (known == ends_.end()) known = ends_.emplace(units, lags_.can_end(units)).first;
-    if (known->second) best_ = std::min(best_, label.releases[lags_.final_entry()]);
+    if (known->second) best_ = std::min(best_, label.releases[kFinal]);
   }
 
-  void add(std::size_t number, const Key& key, Label label, std::size_t width) {
+  void add(std::size_t number, const Key& key, Label label) {
     if (layers_.size() <= number) layers_.resize(number + 1);
     std::vector<Label>& list = layers_[number][key];
     for (const Label& known : list) {
       if (at_most(known, label)) return;
     }
     std::erase_if(list, [&](const Label& known) { return at_most(label, known); });
-    if (list.size() >= width) {
-      merge(label, list.back());
+    if (list.size() >= kWide) {
+      const auto nearest = std::min_element(
+          list.begin(), list.end(),
+          [&](const Label& a, const Label& b) { return lost(a, label) < lost(b, label); });
+      merge(label, *nearest);
+      *nearest = std::move(list.back());
       list.pop_back();
     }
     list.push_back(std::move(label));
   }
 
+  /// How much two labels would lose if they were merged.
+  static std::int64_t lost(const Label& a, const Label& b) {
+    std::int64_t sum = std::abs(a.free - b.free);
+    for (std::size_t e = 0; e < a.releases.size(); ++e)
+      sum += std::abs(a.releases[e] - b.releases[e]);
+    return sum;
+  }
+
+  const LineNet& net_;
   const SequenceProblem& problem_;
   Lags lags_;
   std::size_t most_states_;
@@ -261,14 +455,19 @@ class Search {
   std::vector<Layer> layers_;
   std::map<Units, bool> ends_;
   std::vector<std::vector<Tick>> least_work_;
+  std::vector<double> unit_work_;
+  double all_work_ = 0.0;
+  std::vector<std::vector<Tick>> tails_;
+  std::vector<Tick> rests_;
+  Tick longest_rest_ = 0;
 };
 
 }  // namespace
 
-std::optional<SequenceResult> best_sequence(const LineNet& net, const Times& times,
-                                            const SequenceProblem& problem,
-                                            std::size_t most_states, const CancelToken* cancel) {
-  return Search(net, times, problem, most_states, cancel).run();
+SequenceResult best_sequence(const LineNet& net, const Times& times,
+                             const SequenceProblem& problem, Tick enough, std::size_t most_states,
+                             const CancelToken* cancel) {
+  return Search(net, times, problem, most_states, cancel).run(enough);
 }
 
 }  // namespace linewright::bounds

@@ -59,14 +59,13 @@ struct SequenceResult {
   std::size_t states = 0;
 };
 
-/// The least tick in which the order can be finished when the jobs of one resource are done one
+/// A tick before which the order cannot be finished when the jobs of one resource are done one
 /// after the other, in whichever order and number is best, each not before what the net says of it
-/// after those before; everything else competes for nothing. None: more than `most_states` states
-/// of one number of units, or cancelled.
-[[nodiscard]] std::optional<SequenceResult> best_sequence(const LineNet& net, const Times& times,
-                                                          const SequenceProblem& problem,
-                                                          std::size_t most_states,
-                                                          const CancelToken* cancel);
+/// after those before; everything else competes for nothing. Looks no further than `enough`, and
+/// gives up raising the bound when there are more than `most_states` states of one number of units.
+[[nodiscard]] SequenceResult best_sequence(const LineNet& net, const Times& times,
+                                           const SequenceProblem& problem, Tick enough,
+                                           std::size_t most_states, const CancelToken* cancel);
 
 /// The jobs of the only worker of a kind; none where they are not one after the other.
 [[nodiscard]] std::optional<SequenceProblem> worker_problem(const LineNet& net, WorkerKindId kind);

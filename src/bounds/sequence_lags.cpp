@@ -16,9 +16,28 @@ Lags::Lags(const LineNet& net, const Times& times, const SequenceProblem& proble
       problem_(problem),
       columns_(net.columns),
       entries_(problem.jobs.size() * 3 * static_cast<std::size_t>(net.columns) + 1) {
+  ask_forks();
   fill(base_, times);
   ask_delays();
+  number_kept();
   ask_needs();
+}
+
+void Lags::number_kept() {
+  kept_.assign(entries_, -1);
+  kept_[final_entry()] = 0;
+  kept_base_ = {base_[final_entry()]};
+  for (auto& rows : rows_) {
+    for (auto& row : rows) {
+      for (auto& [entry, lag] : row) {
+        if (kept_[entry] < 0) {
+          kept_[entry] = static_cast<int>(kept_base_.size());
+          kept_base_.push_back(base_[entry]);
+        }
+        entry = static_cast<std::uint32_t>(kept_[entry]);
+      }
+    }
+  }
 }
 
 std::size_t Lags::entry(std::size_t job, int which, int n) const {
@@ -37,6 +56,10 @@ void Lags::fill(std::vector<Tick>& row, const Times& times) const {
     }
   }
   row[final_entry()] = net_.end_of(times);
+  for (const Fork& fork : forks_) {
+    for (int n = 1; n <= columns_; ++n)
+      row[fork.entry + static_cast<std::size_t>(n - 1)] = times.at(fork.arrivals, n);
+  }
 }
 
 void Lags::ask_delays() {
@@ -74,6 +97,51 @@ void Lags::ask_needs() {
     }
     needs_.push_back(std::move(needs));
     end_needs_.push_back(end_needs);
+  }
+}
+
+void Lags::ask_forks() {
+  for (int store = 0; store < net_.stores.count; ++store) {
+    std::vector<int> ways;
+    for (const Flow& flow : net_.flows) {
+      for (const auto& taken : flow.takes) {
+        if (taken.first != store || taken.second != 1) continue;
+        ways.push_back(flow.operation ? net_.starts[flow.operation->index()]
+                                      : net_.tasks[flow.task->index()]
+                                            .actions[flow.step][flow.sequence][flow.action]
+                                            .item);
+      }
+    }
+    if (ways.size() < 2) continue;
+    Fork fork{.arrivals = net_.arrivals[static_cast<std::size_t>(store)], .entry = entries_};
+    bool used = false;
+    for (const int way : ways) {
+      ask_uses(way, fork.uses.emplace_back());
+      for (const auto& uses : fork.uses.back()) used = used || uses.back().firings > 0;
+    }
+    if (!used) continue;
+    entries_ += static_cast<std::size_t>(columns_);
+    forks_.push_back(std::move(fork));
+  }
+}
+
+void Lags::ask_uses(int event, std::vector<std::vector<Fork::Use>>& uses) const {
+  uses.assign(problem_.jobs.size(),
+              std::vector<Fork::Use>(static_cast<std::size_t>(columns_)));
+  for (int n = 1; n <= columns_; ++n) {
+    const Times without = net_.net.solve(times_, {{.event = event, .first = n, .tick = kNever}});
+    const Times late = net_.net.solve(times_, {{.event = event, .first = n, .tick = kLate}});
+    for (std::size_t j = 0; j < problem_.jobs.size(); ++j) {
+      bool first = true;
+      Tick lag = 0;
+      for (int k = 1; k <= columns_; ++k) {
+        if (times_.at(problem_.jobs[j].unit, k) >= kNever) continue;
+        if (without.at(problem_.jobs[j].unit, k) < kNever) continue;
+        if (first) lag = std::max(0, late.at(problem_.jobs[j].unit, k) - kLate);
+        first = false;
+        uses[j][static_cast<std::size_t>(k - 1)] = {n, lag};
+      }
+    }
   }
 }
 

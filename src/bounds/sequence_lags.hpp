@@ -20,12 +20,18 @@ class Lags {
   static constexpr int kStart = 0;
   static constexpr int kAnchor = 1;
   static constexpr int kEnd = 2;
-  [[nodiscard]] std::size_t final_entry() const { return entries_ - 1; }
+  [[nodiscard]] std::size_t final_entry() const {
+    return problem_.jobs.size() * 3 * static_cast<std::size_t>(columns_);
+  }
   [[nodiscard]] int columns() const { return columns_; }
 
-  /// Without any delay.
-  [[nodiscard]] const std::vector<Tick>& base() const { return base_; }
-  /// (entry, lag) after unit n of the job: entry >= tick of the unit + lag.
+  /// Without any delay: of every entry.
+  [[nodiscard]] Tick base(std::size_t entry) const { return base_[entry]; }
+  /// Where a label keeps the entry; -1: nothing that is done delays it.
+  [[nodiscard]] int kept(std::size_t entry) const { return kept_[entry]; }
+  /// Without any delay: of the entries that a label keeps.
+  [[nodiscard]] const std::vector<Tick>& kept_base() const { return kept_base_; }
+  /// (where it is kept, lag) after unit n of the job: entry >= tick of the unit + lag.
   [[nodiscard]] const std::vector<std::pair<std::uint32_t, Tick>>& after(std::size_t job,
                                                                          int n) const {
     return rows_[job][static_cast<std::size_t>(n - 1)];
@@ -35,13 +41,29 @@ class Lags {
     return needs_[needed][job][static_cast<std::size_t>(n - 1)];
   }
   [[nodiscard]] int end_needs(std::size_t needed) const { return end_needs_[needed]; }
+  /// Stores from which tokens go several ways: however they were shared, so many of them must have
+  /// come before what used them.
+  struct Fork {
+    struct Use {
+      int firings = 0;  ///< of the way that unit n of a job cannot be without
+      Tick lag = 0;     ///< from the last of these to the first unit that needs it
+    };
+    int arrivals = -1;     ///< event
+    std::size_t entry = 0; ///< of its first arrival
+    std::vector<std::vector<std::vector<Use>>> uses;  ///< [way][job][n - 1]
+  };
+  [[nodiscard]] const std::vector<Fork>& forks() const { return forks_; }
+
   /// Whether the order can be finished with no more than these units.
   [[nodiscard]] bool can_end(const std::vector<std::int16_t>& units) const;
 
  private:
   void fill(std::vector<Tick>& row, const Times& times) const;
   void ask_delays();
+  void number_kept();
   void ask_needs();
+  void ask_forks();
+  void ask_uses(int event, std::vector<std::vector<Fork::Use>>& uses) const;
 
   const LineNet& net_;
   const Times& times_;
@@ -49,9 +71,12 @@ class Lags {
   int columns_;
   std::size_t entries_;
   std::vector<Tick> base_;
+  std::vector<int> kept_;
+  std::vector<Tick> kept_base_;
   std::vector<std::vector<std::vector<std::pair<std::uint32_t, Tick>>>> rows_;
   std::vector<std::vector<std::vector<int>>> needs_;
   std::vector<int> end_needs_;
+  std::vector<Fork> forks_;
 };
 
 }  // namespace linewright::bounds

@@ -53,6 +53,7 @@ void TaskNet::build() {
       add_sequence(step, s, last);
   }
   for (const int event : last) net_.net[events_.end].arcs.push_back({.from = event});
+  events_.last = static_cast<int>(net_.net.size()) - 1;
 }
 
 void TaskNet::add_sequence(std::size_t step, std::size_t sequence, std::vector<int>& last) {
@@ -161,7 +162,7 @@ std::optional<Tick> longest_lag(const EventNet& net, const TaskEvents& task, int
                                 const std::map<int, Tick>& more) {
   // Within a task every rule leads from an earlier event to one that was made later; only its end
   // was made first.
-  const int last = to == task.end ? static_cast<int>(net.size()) - 1 : to;
+  const int last = to == task.end ? task.last : to;
   std::vector<std::optional<Tick>> longest(static_cast<std::size_t>(last - task.first + 1));
   const auto known = [&](int event) -> std::optional<Tick> {
     if (event == from) return 0;
