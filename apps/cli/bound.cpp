@@ -49,7 +49,8 @@ std::pair<RunSetup, std::optional<Tick>> recorded(const BoundArguments& argument
   const RecordedRun run = load_recorded_run(arguments.log, line);
   check_setup(line, run.setup);
   if (!run.makespan) {
-    throw ScenarioError(arguments.log, "is the log of a run that did not finish: it has no makespan",
+    throw ScenarioError(arguments.log,
+                        "is the log of a run that did not finish: it has no makespan",
                         "take the log of a run with status finished");
   }
   return {run.setup, run.makespan};
@@ -100,8 +101,7 @@ Json to_json(const BoundArguments& arguments, const LineModel& line, const Repor
   return object;
 }
 
-std::string to_text(const BoundArguments& arguments, const LineModel& line,
-                    const Report& report) {
+std::string to_text(const BoundArguments& arguments, const LineModel& line, const Report& report) {
   const Bound& best = report.bounds[0];
   std::string text = fmt::format(
       "No run of {} with crew {} can make {} {} in less than {} ticks ({:.1f} min).\n\n", line.name,

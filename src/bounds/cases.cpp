@@ -14,10 +14,10 @@ std::vector<int> ways_of(const LineNet& net, int store) {
     for (const auto& taken : flow.takes) {
       if (taken.first != store) continue;
       if (taken.second != 1) return {};
-      ways.push_back(flow.operation ? net.starts[flow.operation->index()]
-                                    : net.tasks[flow.task->index()]
-                                          .actions[flow.step][flow.sequence][flow.action]
-                                          .item);
+      ways.push_back(
+          flow.operation
+              ? net.starts[flow.operation->index()]
+              : net.tasks[flow.task->index()].actions[flow.step][flow.sequence][flow.action].item);
     }
   }
   if (ways.size() < 2) ways.clear();
@@ -39,8 +39,7 @@ void share(const LineNet& net, const Times& times, const std::vector<int>& ways,
   if (found.size() > kMostCases) return;
   const bool last = way + 1 == ways.size();
   for (int mine = last ? tokens : 0; mine <= tokens; ++mine) {
-    Times limited =
-        net.net.solve(times, {{.event = ways[way], .first = mine + 1, .tick = kNever}});
+    Times limited = net.net.solve(times, {{.event = ways[way], .first = mine + 1, .tick = kNever}});
     const Tick ends = net.end_of(limited);
     if (ends >= kNever) continue;
     if (last) {

@@ -76,8 +76,8 @@ std::vector<Rest> rests_after(const LineNet& net, std::size_t o, MachineId machi
     });
     if (!next) continue;
     const Operation& operation = net.line.operations[flow.operation->index()];
-    rests.push_back({position_after(*find(operation.frees, machine)), flow.least,
-                     operation.recovery});
+    rests.push_back(
+        {position_after(*find(operation.frees, machine)), flow.least, operation.recovery});
   }
   return rests;
 }

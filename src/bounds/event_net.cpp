@@ -121,8 +121,8 @@ bool EventNet::refresh_count(Times& times, int id) const {
       tick = at;
       earliest = s;
     }
-    const int tokens = earliest < event.sources.size() ? event.sources[earliest].tokens
-                                                       : times.columns();
+    const int tokens =
+        earliest < event.sources.size() ? event.sources[earliest].tokens : times.columns();
     if (earliest < event.sources.size()) ++next[earliest];
     for (int i = 0; i < tokens && counted < times.columns(); ++i)
       grown = times.raise(id, ++counted, tick) || grown;

@@ -10,8 +10,7 @@ constexpr int kMostColumns = 128;
 /// As often as any event can matter: as many as tokens of one place are there or ordered.
 int columns_of(const LineModel& line, const RunSetup& setup) {
   std::int64_t most = setup.order;
-  for (const Place& place : line.places)
-    most = std::max(most, place.initial.value(setup.order));
+  for (const Place& place : line.places) most = std::max(most, place.initial.value(setup.order));
   return static_cast<int>(std::clamp<std::int64_t>(most + 1, 2, kMostColumns));
 }
 
@@ -54,18 +53,16 @@ Stores::Stores(const LineModel& line) : names(materials_of(line)) {
   first_pool = static_cast<int>(line.places.size());
   count = first_pool + static_cast<int>(line.carrier_kinds.size()) * materials;
   for (std::size_t p = 0; p < line.places.size(); ++p) {
-    by_place.push_back(line.places[p].berth
-                           ? pool(line.places[p].berth->carrier, names.by_place[p])
-                           : static_cast<int>(p));
+    by_place.push_back(line.places[p].berth ? pool(line.places[p].berth->carrier, names.by_place[p])
+                                            : static_cast<int>(p));
   }
 }
 
 LineNet::LineNet(const LineModel& model, const RunSetup& run)
     : line(model), setup(run), stores(model), ways(model, run), columns(columns_of(model, run)) {
   for (int s = 0; s < stores.count; ++s) {
-    const std::string name = s < stores.first_pool
-                                 ? line.places[static_cast<std::size_t>(s)].name
-                                 : "items in carriers";
+    const std::string name =
+        s < stores.first_pool ? line.places[static_cast<std::size_t>(s)].name : "items in carriers";
     arrivals.push_back(net.add({.name = name, .counts = true, .initial = initial(s)}));
     departures.push_back(net.add({.name = name + " leaves", .counts = true}));
   }

@@ -43,9 +43,8 @@ Tick machine_travel(const Machine& machine, std::int32_t from, std::int32_t targ
 Tick least_setup(const Machine& machine, std::int32_t from, std::int32_t target, Tick held) {
   if (machine.travel.empty()) return held;
   Tick best = held + machine_travel(machine, from, target, held);
-  const Tick homed = machine.homing ? std::max(0, machine.homing->takes[at(from)]) +
-                                          machine.homing->holds
-                                    : 0;
+  const Tick homed =
+      machine.homing ? std::max(0, machine.homing->takes[at(from)]) + machine.homing->holds : 0;
   for (Tick waited = held; waited <= homed; ++waited)
     best = std::min(best, waited + machine_travel(machine, from, target, waited));
   return best;

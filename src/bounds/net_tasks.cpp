@@ -56,24 +56,22 @@ void need_room(LineNet& net, std::size_t t, PlaceId place, int value) {
   if (items == 0) return;
   for (const LowerLimit& limit : lower_limits(net.line.tasks[t].when, net.setup.order)) {
     if (limit.variable.kind != VariableKind::kMachineFree) continue;
-    const bool all = std::all_of(
-        net.flows.begin(), net.flows.end(), [&](const Flow& flow) {
-          const bool takes = std::any_of(flow.takes.begin(), flow.takes.end(), [&](auto& taken) {
-            return taken.first == place.value;
-          });
-          if (!takes) return true;
-          if (!flow.operation) return false;
-          const Operation& operation = net.line.operations[flow.operation->index()];
-          const auto holds = [&](const std::vector<MachineUse>& uses) {
-            return std::any_of(uses.begin(), uses.end(), [&](const MachineUse& use) {
-              return use.machine.value == limit.variable.index;
-            });
-          };
-          return (holds(operation.uses) || holds(operation.claims)) &&
-                 std::all_of(flow.takes.begin(), flow.takes.end(), [&](auto& taken) {
-                   return taken.first != place.value || taken.second == 1;
-                 });
+    const bool all = std::all_of(net.flows.begin(), net.flows.end(), [&](const Flow& flow) {
+      const bool takes = std::any_of(flow.takes.begin(), flow.takes.end(),
+                                     [&](auto& taken) { return taken.first == place.value; });
+      if (!takes) return true;
+      if (!flow.operation) return false;
+      const Operation& operation = net.line.operations[flow.operation->index()];
+      const auto holds = [&](const std::vector<MachineUse>& uses) {
+        return std::any_of(uses.begin(), uses.end(), [&](const MachineUse& use) {
+          return use.machine.value == limit.variable.index;
         });
+      };
+      return (holds(operation.uses) || holds(operation.claims)) &&
+             std::all_of(flow.takes.begin(), flow.takes.end(), [&](auto& taken) {
+               return taken.first != place.value || taken.second == 1;
+             });
+    });
     if (all) need(net, t, net.machine_freed[at(limit.variable.index)], items, plus);
   }
 }

@@ -105,7 +105,8 @@ void add_requirements(LineNet& net) {
       if (fork == goal || way >= kNever) continue;
       const double each = requirements.cost_of_goal([&](std::size_t f) {
         double tokens = 0.0;
-        for (const auto& taken : net.flows[f].takes) tokens += taken.first == fork ? taken.second : 0;
+        for (const auto& taken : net.flows[f].takes)
+          tokens += taken.first == fork ? taken.second : 0;
         return tokens;
       });
       // `each` of them in every token that has arrived beyond those of the start.

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <map>
 
-#include "requirements.hpp"
 #include "sequence_lags.hpp"
+#include "sequence_work.hpp"
 
 namespace linewright::bounds {
 namespace {
@@ -47,14 +47,11 @@ class Search {
  public:
   Search(const LineNet& net, const Times& times, const SequenceProblem& problem,
          std::size_t most_states, const CancelToken* cancel)
-      : net_(net),
-        problem_(problem),
+      : problem_(problem),
         lags_(net, times, problem),
+        work_(net, problem, lags_),
         most_states_(most_states),
-        cancel_(cancel) {
-    weigh_work();
-    weigh_tails();
-  }
+        cancel_(cancel) {}
 
   /// Looks for ends below a limit, and raises it while there are none.
   SequenceResult run(Tick enough) {
@@ -70,7 +67,7 @@ class Search {
   }
 
  private:
-  static constexpr std::size_t kFinal = 0;  // where labels keep the end of the run
+  static constexpr std::size_t kFinal = Lags::kFinal;
   static constexpr std::size_t kWide = 12;  // labels per state before some are merged
 
   using Layer = std::map<Key, std::vector<Label>>;
@@ -79,15 +76,15 @@ class Search {
   /// False: given up.
   bool sweep() {
     layers_.clear();
+    finish(Units(problem_.jobs.size(), 0), {.releases = lags_.kept_base()});
     for (const int place : problem_.starts) {
       add(0, {Units(problem_.jobs.size(), 0), place},
           {.free = 0, .recovery = 1, .releases = lags_.kept_base()});
     }
     for (std::size_t number = 0; number < layers_.size(); ++number) {
-      const Layer layer = std::move(layers_[number]);
-      std::size_t labels = 0;
-      for (const auto& [key, list] : layer) labels += list.size();
-      if (labels > most_states_) return false;
+      Layer layer = std::move(layers_[number]);
+      if (layer.size() > most_states_) return false;
+      const std::size_t labels = thin(layer);
       if (cancel_ != nullptr && cancel_->requested()) return false;
       states_ += labels;
       for (const auto& [key, list] : layer) {
@@ -97,156 +94,37 @@ class Search {
     return true;
   }
 
+  /// Merges labels of a state where there are too many in all; returns how many are left.
+  std::size_t thin(Layer& layer) const {
+    std::size_t labels = 0;
+    for (const auto& [key, list] : layer) labels += list.size();
+    if (labels <= most_states_) return labels;
+    const std::size_t width = std::max<std::size_t>(1, most_states_ / layer.size());
+    labels = 0;
+    for (auto& [key, list] : layer) {
+      if (list.size() > width) {
+        std::stable_sort(list.begin(), list.end(),
+                         [](const Label& a, const Label& b) { return a.free < b.free; });
+        std::vector<Label> kept(width);
+        for (std::size_t i = 0; i < list.size(); ++i) {
+          Label& into = kept[i * width / list.size()];
+          if (into.releases.empty()) {
+            into = std::move(list[i]);
+          } else {
+            merge(into, list[i]);
+          }
+        }
+        list = std::move(kept);
+      }
+      labels += list.size();
+    }
+    return labels;
+  }
+
   /// The run cannot end before this tick: some of the work that is left, and what must follow the
   /// last of it.
   [[nodiscard]] Tick promise(const Units& units, const Label& label) const {
-    struct Left {
-      Tick tail;
-      Tick work;
-      Tick rest;
-    };
-    std::vector<Left> left;
-    for (std::size_t j = 0; j < units.size(); ++j) {
-      const int missing = lags_.end_needs(j) - units[j];
-      if (missing <= 0) continue;
-      left.push_back({tails_[j][static_cast<std::size_t>(units[j])],
-                      least_work_[j][static_cast<std::size_t>(missing)], rests_[j]});
-    }
-    std::sort(left.begin(), left.end(),
-              [](const Left& a, const Left& b) { return a.tail > b.tail; });
-    Tick end = label.releases[kFinal];
-    Tick work = label.free;
-    Tick rest = 0;
-    for (const Left& one : left) {
-      work += one.work;
-      rest = std::max(rest, one.rest);  // the last one need not be over, only its first unit done
-      end = std::max(end, work - rest + one.tail);
-    }
-    double more = all_work_;
-    for (std::size_t j = 0; j < units.size(); ++j) more -= unit_work_[j] * units[j];
-    if (more > 1e-6)
-      end = std::max(end, label.free + static_cast<Tick>(more + 1 - 1e-6) - longest_rest_);
-    return end;
-  }
-
-  /// By job and units done: the least ticks from any later unit that the end needs to the end.
-  void weigh_tails() {
-    for (std::size_t j = 0; j < problem_.jobs.size(); ++j) {
-      auto& tails = tails_.emplace_back(static_cast<std::size_t>(lags_.columns()) + 1, 0);
-      Tick least = kNever;
-      for (int n = lags_.end_needs(j); n >= 1; --n) {
-        Tick tail = 0;
-        for (const auto& [entry, lag] : lags_.after(j, n)) {
-          if (entry == kFinal) tail = lag;
-        }
-        least = std::min(least, tail);
-        tails[static_cast<std::size_t>(n - 1)] = least;
-      }
-      Tick longest = 0;
-      for (const JobType::Variant& variant : problem_.jobs[j].variants)
-        longest = std::max(longest, variant.anchor_to_end - variant.units.front());
-      rests_.push_back(std::max(0, longest));
-      longest_rest_ = std::max(longest_rest_, rests_.back());
-    }
-  }
-
-  /// By job and units: the least ticks in which the resource can do them.
-  void weigh_work() {
-    Tick gap = 1;  // between two jobs
-    for (const JobType& job : problem_.jobs) {
-      for (const JobEnd& end : job.ends) gap = std::min(gap, end.recovery);
-    }
-    for (const JobType& job : problem_.jobs) {
-      auto& least = least_work_.emplace_back(1, 0);
-      for (int units = 1; units <= lags_.columns(); ++units) {
-        Tick best = kNever;
-        for (int v = 1; v <= std::min(units, static_cast<int>(job.variants.size())); ++v) {
-          const Tick once = job.variants[static_cast<std::size_t>(v - 1)].anchor_to_end +
-                            job.before + job.least + gap;
-          best = std::min(best, once + least[static_cast<std::size_t>(units - v)]);
-        }
-        least.push_back(best);
-      }
-      double per_unit = least.back();
-      for (std::size_t units = 1; units < least.size(); ++units)
-        per_unit = std::min(per_unit, least[units] / static_cast<double>(units));
-      unit_work_.push_back(per_unit);
-    }
-    weigh_order();
-  }
-
-  /// The work in what was ordered, whichever jobs are chosen for it.
-  void weigh_order() {
-    for (const auto& [store, tokens] : net_.done) {
-      const double each = Requirements(net_, store).cost_of_goal([&](std::size_t f) {
-        return work_of(net_.flows[f]);
-      });
-      all_work_ = std::max(all_work_, each * (tokens - net_.initial(store)));
-    }
-  }
-
-  /// The work of one firing of a flow; where several jobs may have done it, the least.
-  [[nodiscard]] double work_of(const Flow& flow) const {
-    double least = -1.0;
-    const auto may_be = [&](double work) { least = least < 0.0 ? work : std::min(least, work); };
-    for (std::size_t t = 0; t < net_.tasks.size(); ++t) {
-      const bool any = flow.task ? flow.task->index() == t
-                                 : operates(net_.line.tasks[t], *flow.operation);
-      if (!any) continue;
-      double here = 0.0;
-      for (std::size_t j = 0; j < problem_.jobs.size(); ++j) {
-        const JobType& job = problem_.jobs[j];
-        const bool own = job.anchor == net_.tasks[t].start ||
-                         (job.anchor >= net_.tasks[t].first && job.anchor <= net_.tasks[t].last);
-        if (own) here = unit_work_[j] * units_of(job, TaskId(t), flow);
-      }
-      may_be(here);
-    }
-    if (flow.operation) {
-      for (std::size_t j = 0; j < problem_.jobs.size(); ++j) {
-        if (problem_.jobs[j].unit == net_.ends[flow.operation->index()]) may_be(unit_work_[j]);
-      }
-    }
-    return std::max(0.0, least);
-  }
-
-  static bool operates(const Task& task, OperationId operation) {
-    for (const Step& step : task.steps) {
-      for (const ActorSequence& sequence : step.sequences) {
-        for (const Action& action : sequence.actions) {
-          const auto* operate = std::get_if<OperateAction>(&action.what);
-          if (operate != nullptr && operate->operation == operation) return true;
-        }
-      }
-    }
-    return false;
-  }
-
-  /// Units of the task's job that one firing of the flow takes; 0: not known.
-  [[nodiscard]] double units_of(const JobType& job, TaskId task, const Flow& flow) const {
-    if (flow.task) {
-      const int item =
-          net_.tasks[task.index()].actions[flow.step][flow.sequence][flow.action].item;
-      if (item == job.unit) return 1.0;
-      const auto& transfer = std::get<TransferAction>(net_.line.tasks[task.index()]
-                                                          .steps[flow.step]
-                                                          .sequences[flow.sequence]
-                                                          .actions[flow.action]
-                                                          .what);
-      const bool executions = job.unit == job.anchor;
-      return executions && transfer.repeat > 0 ? 1.0 / transfer.repeat : 0.0;
-    }
-    if (job.unit != job.anchor) return 0.0;
-    int times = 0;
-    for (const Step& step : net_.line.tasks[task.index()].steps) {
-      for (const ActorSequence& sequence : step.sequences) {
-        for (const Action& action : sequence.actions) {
-          const auto* operate = std::get_if<OperateAction>(&action.what);
-          times += operate != nullptr && operate->operation == *flow.operation ? 1 : 0;
-        }
-      }
-    }
-    return times == 0 ? 0.0 : 1.0 / times;
+    return std::max(label.releases[kFinal], work_.least_end(units, label.free));
   }
 
   [[nodiscard]] bool allowed(const Units& units, std::size_t j, int added) const {
@@ -342,8 +220,7 @@ class Search {
 
   /// The tick before which the last of these units cannot be: all tokens of the fork that they and
   /// those before have used must have come.
-  [[nodiscard]] Tick shared(const Lags::Fork& fork, const Units& units,
-                            const Label& label) const {
+  [[nodiscard]] Tick shared(const Lags::Fork& fork, const Units& units, const Label& label) const {
     int tokens = 0;
     Tick least_lag = kNever;
     for (const auto& way : fork.uses) {
@@ -384,14 +261,6 @@ class Search {
         raise(Lags::kStart, label.free + label.recovery);
         raise(Lags::kAnchor, anchor);
         raise(Lags::kEnd, anchor + once);
-      }
-    }
-    for (const Lags::Fork& fork : lags_.forks()) {
-      for (int n = 0; n < lags_.columns(); ++n) {
-        const int kept = lags_.kept(fork.entry + static_cast<std::size_t>(n));
-        if (kept < 0) continue;
-        Tick& release = label.releases[static_cast<std::size_t>(kept)];
-        release = std::max(release, label.free);
       }
     }
   }
@@ -445,29 +314,27 @@ class Search {
     return sum;
   }
 
-  const LineNet& net_;
   const SequenceProblem& problem_;
   Lags lags_;
+  Work work_;
   std::size_t most_states_;
   const CancelToken* cancel_;
   Tick best_ = kNever;
   std::size_t states_ = 0;
   std::vector<Layer> layers_;
   std::map<Units, bool> ends_;
-  std::vector<std::vector<Tick>> least_work_;
-  std::vector<double> unit_work_;
-  double all_work_ = 0.0;
-  std::vector<std::vector<Tick>> tails_;
-  std::vector<Tick> rests_;
-  Tick longest_rest_ = 0;
 };
 
 }  // namespace
 
-SequenceResult best_sequence(const LineNet& net, const Times& times,
-                             const SequenceProblem& problem, Tick enough, std::size_t most_states,
-                             const CancelToken* cancel) {
+SequenceResult best_sequence(const LineNet& net, const Times& times, const SequenceProblem& problem,
+                             Tick enough, std::size_t most_states, const CancelToken* cancel) {
   return Search(net, times, problem, most_states, cancel).run(enough);
+}
+
+Workload workload_of(const LineNet& net, const Times& times, const SequenceProblem& problem) {
+  const Lags lags(net, times, problem);
+  return Work(net, problem, lags).all();
 }
 
 }  // namespace linewright::bounds

@@ -67,10 +67,18 @@ struct SequenceResult {
                                            const SequenceProblem& problem, Tick enough,
                                            std::size_t most_states, const CancelToken* cancel);
 
-/// The jobs of the only worker of a kind; none where they are not one after the other.
+/// What the workers of a kind have to do for the order in all, without the ways between their jobs.
+struct Workload {
+  Tick ticks = 0;
+  Tick rest = 0;  ///< at most so much of one worker's share can lie after the end of the run
+};
+[[nodiscard]] Workload workload_of(const LineNet& net, const Times& times,
+                                   const SequenceProblem& problem);
+
+/// The jobs of one worker of a kind, that of the first start; none where they are not one after the
+/// other.
 [[nodiscard]] std::optional<SequenceProblem> worker_problem(const LineNet& net, WorkerKindId kind);
 /// The jobs of a machine; none where its holdings are not understood.
-[[nodiscard]] std::optional<SequenceProblem> machine_problem(const LineNet& net,
-                                                             MachineId machine);
+[[nodiscard]] std::optional<SequenceProblem> machine_problem(const LineNet& net, MachineId machine);
 
 }  // namespace linewright::bounds

@@ -126,8 +126,7 @@ void Lags::ask_forks() {
 }
 
 void Lags::ask_uses(int event, std::vector<std::vector<Fork::Use>>& uses) const {
-  uses.assign(problem_.jobs.size(),
-              std::vector<Fork::Use>(static_cast<std::size_t>(columns_)));
+  uses.assign(problem_.jobs.size(), std::vector<Fork::Use>(static_cast<std::size_t>(columns_)));
   for (int n = 1; n <= columns_; ++n) {
     const Times without = net_.net.solve(times_, {{.event = event, .first = n, .tick = kNever}});
     const Times late = net_.net.solve(times_, {{.event = event, .first = n, .tick = kLate}});

@@ -20,6 +20,7 @@ class Lags {
   static constexpr int kStart = 0;
   static constexpr int kAnchor = 1;
   static constexpr int kEnd = 2;
+  static constexpr std::size_t kFinal = 0;  ///< where labels keep the end of the run
   [[nodiscard]] std::size_t final_entry() const {
     return problem_.jobs.size() * 3 * static_cast<std::size_t>(columns_);
   }
@@ -48,8 +49,8 @@ class Lags {
       int firings = 0;  ///< of the way that unit n of a job cannot be without
       Tick lag = 0;     ///< from the last of these to the first unit that needs it
     };
-    int arrivals = -1;     ///< event
-    std::size_t entry = 0; ///< of its first arrival
+    int arrivals = -1;                                ///< event
+    std::size_t entry = 0;                            ///< of its first arrival
     std::vector<std::vector<std::vector<Use>>> uses;  ///< [way][job][n - 1]
   };
   [[nodiscard]] const std::vector<Fork>& forks() const { return forks_; }

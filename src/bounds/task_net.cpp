@@ -102,13 +102,12 @@ void TaskNet::go(const Action& action, std::size_t slot, StationId to, Event& en
   const WorkerKindId kind = *task_.crew[slot].worker;
   Member& member = members_[slot];
   const Tick way = member.stands ? net_.ways.between(kind, *member.stands, to) : 0;
-  const Tick least = std::max(way >= kNever ? 0 : way,
-                              net_.line.worker_kinds[kind.index()].min_leg_ticks);
+  const Tick least =
+      std::max(way >= kNever ? 0 : way, net_.line.worker_kinds[kind.index()].min_leg_ticks);
   end.arcs[0].lag = action.before + least + action.after;
   Tick reach = net_.ways.reach(kind, to);
   if (member.holds && task_.crew[*member.holds].wanted != CarrierWanted::kBerth) {
-    reach = std::max(reach,
-                     net_.ways.bring_carrier(kind, *task_.crew[*member.holds].carrier, to));
+    reach = std::max(reach, net_.ways.bring_carrier(kind, *task_.crew[*member.holds].carrier, to));
   }
   // Who rests may be under way already when it is called: nothing is sure but the way.
   const bool rests = !net_.line.worker_kinds[kind.index()].rest.empty();
@@ -122,11 +121,11 @@ void TaskNet::fetch(const Action& action, std::size_t slot, std::size_t carrier,
   Member& member = members_[slot];
   const std::optional<StationId> to = members_[carrier].stands;
   const Tick way = member.stands && to ? net_.ways.between(kind, *member.stands, *to) : 0;
-  const Tick least = std::max(way >= kNever ? 0 : way,
-                              net_.line.worker_kinds[kind.index()].min_leg_ticks);
+  const Tick least =
+      std::max(way >= kNever ? 0 : way, net_.line.worker_kinds[kind.index()].min_leg_ticks);
   end.arcs[0].lag = action.before + least + action.after;
-  const Tick reach = to ? net_.ways.reach(kind, *to)
-                        : net_.ways.reach_carrier(kind, *task_.crew[carrier].carrier);
+  const Tick reach =
+      to ? net_.ways.reach(kind, *to) : net_.ways.reach_carrier(kind, *task_.crew[carrier].carrier);
   const bool rests = !net_.line.worker_kinds[kind.index()].rest.empty();
   end.least = reach >= kNever ? kNever : reach + (rests ? 0 : member.settling);
   member.stands = to;

@@ -36,11 +36,9 @@ void TaskNet::transfer(std::size_t step, std::size_t sequence, std::size_t a, Ev
   const auto& what = std::get<TransferAction>(action.what);
   ActionEvents& events = events_.actions[step][sequence][a];
   events.most = most_items(what);
-  Event item{.name = task_.name + " item"};
-  item.batches.push_back({.begin = events.begin,
-                          .most = events.most,
-                          .fixed = action.before,
-                          .each = what.takes});
+  Event item{.name = task_.name + " moves an item"};
+  item.batches.push_back(
+      {.begin = events.begin, .most = events.most, .fixed = action.before, .each = what.takes});
   Flow flow{.least = what.takes, .task = id_, .step = step, .sequence = sequence, .action = a};
   const std::optional<int> source = store_of(what, true);
   const std::optional<int> destination = store_of(what, false);
@@ -89,7 +87,8 @@ void TaskNet::from_carrier(const TransferAction& transfer, const Action& action,
                                    [&](const Loading& l) { return l.slot == slot; });
   const CarrierWanted wanted = task_.crew[slot].wanted;
   if (wanted == CarrierWanted::kBerth && loads == 0) {
-    const Tick lag = longest_lag(net_.net, events_, events_.start, begin).value_or(0) + action.before;
+    const Tick lag =
+        longest_lag(net_.net, events_, events_.start, begin).value_or(0) + action.before;
     flow.least = 1 + lag + transfer.takes;
     item.arcs.push_back({.from = net_.arrivals[at(pool)], .lag = flow.least});
     return;

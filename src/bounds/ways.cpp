@@ -22,8 +22,8 @@ Ways::Ways(const LineModel& line, const RunSetup& setup)
     : line_(line), setup_(setup), stations_(line.stations.size()) {
   for (std::size_t k = 0; k < line.worker_kinds.size(); ++k) {
     std::vector<Tick>& ticks = ticks_.emplace_back(stations_ * stations_, kNever);
-    const bool planned = line.ways != nullptr &&
-                         (!line.zones.empty() || !line.worker_kinds[k].rest.empty());
+    const bool planned =
+        line.ways != nullptr && (!line.zones.empty() || !line.worker_kinds[k].rest.empty());
     for (std::size_t i = 0; i < stations_; ++i) {
       for (std::size_t j = 0; j < stations_; ++j) {
         const Tick leg = planned ? straight(line, k, i, j)

@@ -133,8 +133,7 @@ class WorkerJob {
       if (!chained) return std::nullopt;
       batching.loads = open[0];
       batching.most = std::min(batching.most, events_at(open[0]).most);
-    } else if (!last.source.place &&
-               task_.crew[last.source.slot].wanted != CarrierWanted::kBerth) {
+    } else if (!last.source.place && task_.crew[last.source.slot].wanted != CarrierWanted::kBerth) {
       return std::nullopt;
     }
     if (!last.destination.place) return std::nullopt;
@@ -181,14 +180,15 @@ class Counts {
       : net_(net) {
     for (std::size_t j = 0; j < jobs.size(); ++j) {
       const TaskEvents& events = net.tasks[tasks[j].index()];
+      if (jobs[j].end != events.end) continue;  // free again before all has been moved
       if (jobs[j].unit != jobs[j].anchor) moves_[jobs[j].unit] = {j, 1};
-      if (jobs[j].unit != jobs[j].anchor || jobs[j].end != events.end) continue;
+      if (jobs[j].unit != jobs[j].anchor) continue;
       for (const Where& where : actions_of(net.line.tasks[tasks[j].index()], std::nullopt)) {
         const Action& action = action_at(net.line.tasks[tasks[j].index()], where);
         const auto* transfer = std::get_if<TransferAction>(&action.what);
         if (transfer == nullptr || transfer->repeat == TransferAction::kUntilBlocked) continue;
         moves_[events.actions[where.step][where.sequence][where.action].item] = {j,
-                                                                              transfer->repeat};
+                                                                                 transfer->repeat};
       }
     }
   }
@@ -200,7 +200,14 @@ class Counts {
     for (const Comparison& comparison : task.when.any_of[0]) {
       CountCondition condition{.constant = comparison.constant, .relation = comparison.relation};
       bool known = true;
-      for (const Term& term : comparison.terms) known = known && add(term, condition);
+      const bool lower = comparison.relation == Relation::kGreater ||
+                         comparison.relation == Relation::kGreaterEqual;
+      for (const Term& term : comparison.terms) {
+        // What others have reserved is not counted here: there may be less, never more.
+        const bool least =
+            term.variable.kind != VariableKind::kPlaceAvailable || (lower && term.coefficient > 0);
+        known = known && least && add(term, condition);
+      }
       if (known) found.push_back(std::move(condition));
     }
     return found;
@@ -219,8 +226,8 @@ class Counts {
     const auto place = static_cast<std::size_t>(term.variable.index);
     if (net_.line.places[place].berth) return false;
     condition.constant += std::int64_t{term.coefficient} * net_.initial(term.variable.index);
-    for (const auto& [events, sign] : {std::pair(net_.arrivals[place], 1),
-                                       std::pair(net_.departures[place], -1)}) {
+    for (const auto& [events, sign] :
+         {std::pair(net_.arrivals[place], 1), std::pair(net_.departures[place], -1)}) {
       for (const Source& source : net_.net[events].sources) {
         const auto moves = moves_.find(source.event);
         if (moves == moves_.end()) return false;
@@ -238,7 +245,7 @@ class Counts {
 }  // namespace
 
 std::optional<SequenceProblem> worker_problem(const LineNet& net, WorkerKindId kind) {
-  if (net.setup.worker_start[kind.index()].size() != 1) return std::nullopt;
+  if (net.setup.worker_start[kind.index()].empty()) return std::nullopt;
   if (!net.line.worker_kinds[kind.index()].rest.empty()) return std::nullopt;
   SequenceProblem problem;
   std::vector<TaskId> tasks;
