@@ -23,7 +23,7 @@ void run(const linewright::Scenario& scenario) {
   SimulationState state;
   EventLog log;
   run_episode(simulator, state, sample_setup(simulator.line(), options, 1), 1, *planner, *allocator,
-              &log);
+              {.log = &log});
 }
 
 }  // namespace

@@ -27,7 +27,7 @@ void at_decisions(const Simulator& simulator, Check&& check) {
     planner->reset(seed);
     allocator->reset(seed);
     while (advance_and_join(simulator, state, *allocator) == RunStatus::kDecision) {
-      const TaskId task = *planner->choose_task(state);
+      const TaskId task = *planner->decide(state, all_choices(simulator, state)).task;
       check(state, task);
       simulator.assign(state, allocator->allocate(state, task));
     }

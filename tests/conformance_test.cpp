@@ -99,7 +99,7 @@ TEST_P(EveryScenario, MakesOnlySelectableTasksAssignable) {
             state.is_selectable(task) ? allocator->allocate(state, task) : Assignment(task);
         EXPECT_EQ(simulator.explain_refusal(state, assignment).empty(), state.is_selectable(task));
       }
-      const auto task = planner->choose_task(state);
+      const auto task = planner->decide(state, all_choices(simulator, state)).task;
       ASSERT_TRUE(task);
       ASSERT_TRUE(simulator.assign(state, allocator->allocate(state, *task)));
     }

@@ -102,7 +102,7 @@ EventLog run_with_closed_walkway(const Scenario& scenario, Tick ticks) {
   SimulationState state;
   EventLog log;
   run_episode(simulator, state, sample_setup(simulator.line(), options, 1), 1, *planner, *allocator,
-              &log);
+              {.log = &log});
   EXPECT_EQ(state.status, RunStatus::kFinished);
   return log;
 }

@@ -50,7 +50,7 @@ LoggedRun run_line(const Line& line, const RunOptions& options, std::uint64_t se
   const auto who_plans = PlannerRegistry::make(planner, simulator);
   const auto who_allocates = make_allocator(allocator, simulator);
   run_episode(simulator, run.state, sample_setup(simulator.line(), options, seed), seed, *who_plans,
-              *who_allocates, &run.log);
+              *who_allocates, {.log = &run.log});
   run.text = event_log_text(line.scenario, run.log, simulator.progress(run.state));
   return run;
 }

@@ -45,9 +45,12 @@ std::size_t bytes_of(const SimulationState& state) {
 }
 
 /// Whole episodes one after the other on this thread, with mask and allocation, without a log.
-void measure_episodes(const Simulator& simulator, const BenchArguments& arguments, Speed& speed) {
-  const auto planner = PlannerRegistry::make(arguments.run.configuration.planner, simulator);
-  const auto allocator = make_allocator(arguments.run.configuration.allocator, simulator);
+void measure_episodes(const Scenario& scenario, const Simulator& simulator,
+                      const BenchArguments& arguments, Speed& speed) {
+  const Configuration& configuration = arguments.run.configuration;
+  const auto planner = PlannerRegistry::make(configuration.planner, simulator,
+                                             planner_context(scenario, configuration.allocator));
+  const auto allocator = make_allocator(configuration.allocator, simulator);
   const RunOptions crew = one_crew(arguments.run, simulator.line());
   std::vector<RunSetup> setups;
   for (std::uint64_t i = 0; i < 64; ++i) {
@@ -94,7 +97,8 @@ void measure_threads(const Scenario& scenario, const BenchArguments& arguments, 
       .trials = std::max<std::size_t>(
           64, static_cast<std::size_t>(speed.episodes_per_second * arguments.seconds / 4)),
       .seed = arguments.run.seed,
-      .threads = 1};
+      .threads = 1,
+      .now_ns = clock_ns};
   const auto time = [&](std::size_t threads) {
     plan.threads = threads;
     const auto start = Clock::now();
@@ -121,7 +125,7 @@ std::string fingerprint(const Scenario& scenario, const Simulator& simulator,
       for (std::uint64_t seed = 1; seed <= 5; ++seed) {
         RunOptions options{.workers = {}, .order = run.order, .horizon = run.horizon};
         run_episode(simulator, state, sample_setup(simulator.line(), options, seed), seed, *planner,
-                    *allocator, &log);
+                    *allocator, {.log = &log});
         for (const char c : event_log_text(scenario, log, simulator.progress(state))) {
           hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3ULL;
         }
@@ -135,7 +139,7 @@ int bench(const BenchArguments& arguments) {
   const Scenario scenario = load(arguments.run.scenario);
   const Simulator simulator(std::make_shared<const LineModel>(scenario.line));
   Speed speed;
-  measure_episodes(simulator, arguments, speed);
+  measure_episodes(scenario, simulator, arguments, speed);
   measure_copy(simulator, arguments, speed);
   measure_threads(scenario, arguments, speed);
   if (interrupted().requested()) {

@@ -22,12 +22,7 @@ namespace {
 constexpr std::int32_t kMostOfAKind = 10'000;  // what scenarios allow
 constexpr std::size_t kMostCrews = 10'000;     // of one command
 
-std::int64_t now_ms() {
-  using std::chrono::steady_clock;
-  return std::chrono::duration_cast<std::chrono::milliseconds>(
-             steady_clock::now().time_since_epoch())
-      .count();
-}
+std::int64_t now_ms() { return clock_ns() / 1'000'000; }
 
 std::int32_t parse_count(const std::string& option, std::string_view text) {
   std::int32_t value = 0;
@@ -192,6 +187,21 @@ Scenario load(const std::string& file, bool route_cache) {
   Scenario scenario = load_scenario(file, options);
   for (const Diagnostic& warning : scenario.warnings) report(to_string(warning));
   return scenario;
+}
+
+std::int64_t clock_ns() {
+  using std::chrono::steady_clock;
+  return std::chrono::duration_cast<std::chrono::nanoseconds>(
+             steady_clock::now().time_since_epoch())
+      .count();
+}
+
+PlannerContext planner_context(const Scenario& scenario, const std::string& allocator) {
+  return {.allocator = allocator,
+          .now_ns = clock_ns,
+          .scenario_file = scenario.file,
+          .scenario_hash = scenario.content_hash,
+          .cancel = &interrupted()};
 }
 
 std::string crew_name(const LineModel& line, const std::vector<std::int32_t>& counts) {

@@ -9,6 +9,7 @@
 
 #include "linewright/base/cancel.hpp"
 #include "linewright/evaluation/trials.hpp"
+#include "linewright/planning/planner.hpp"
 #include "linewright/scenario/scenario.hpp"
 #include "linewright/simulation/run_setup.hpp"
 
@@ -66,6 +67,13 @@ void add_close_option(CLI::App& app, RunArguments& arguments);
 /// Loads a scenario for a command: shows progress while routes are planned, stops at Ctrl-C, and
 /// prints what is odd about the scenario.
 [[nodiscard]] Scenario load(const std::string& file, bool route_cache = true);
+
+/// Nanoseconds of a clock that never goes back.
+[[nodiscard]] std::int64_t clock_ns();
+
+/// What planners of a command may use. With a clock, and stopped by Ctrl-C.
+[[nodiscard]] PlannerContext planner_context(const Scenario& scenario,
+                                             const std::string& allocator);
 
 /// "H2R2"-like name of a crew: initials and counts.
 [[nodiscard]] std::string crew_name(const LineModel& line, const std::vector<std::int32_t>& counts);

@@ -130,7 +130,8 @@ int evaluate(const EvaluateArguments& arguments) {
   const TrialPlan plan{.crews = crews_of(arguments.run, line, true),
                        .trials = arguments.trials,
                        .seed = arguments.run.seed,
-                       .threads = arguments.threads};
+                       .threads = arguments.threads,
+                       .now_ns = clock_ns};
   std::vector<Evaluation> evaluations;
   for (const Configuration& configuration : configurations) {
     if (!interrupted().requested())

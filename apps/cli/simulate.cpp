@@ -36,14 +36,17 @@ struct Outcome {
   std::vector<MilestoneComparison> milestones;
 };
 
-Outcome play(const Simulator& simulator, const SimulateArguments& arguments) {
+Outcome play(const Scenario& scenario, const Simulator& simulator,
+             const SimulateArguments& arguments) {
   Outcome outcome;
   const RunOptions crew = one_crew(arguments.run, simulator.line());
   const RunSetup setup = sample_setup(simulator.line(), crew, arguments.run.seed);
-  const auto planner = PlannerRegistry::make(arguments.run.configuration.planner, simulator);
-  const auto allocator = make_allocator(arguments.run.configuration.allocator, simulator);
+  const Configuration& configuration = arguments.run.configuration;
+  const auto planner = PlannerRegistry::make(configuration.planner, simulator,
+                                             planner_context(scenario, configuration.allocator));
+  const auto allocator = make_allocator(configuration.allocator, simulator);
   run_episode(simulator, outcome.state, setup, arguments.run.seed, *planner, *allocator,
-              &outcome.log, &interrupted());
+              {.log = &outcome.log, .cancel = &interrupted()});
   return outcome;
 }
 
@@ -266,7 +269,7 @@ int simulate(const SimulateArguments& arguments) {
                         "add --planner replay");
   }
   const Outcome outcome =
-      recorded ? play_recorded(simulator, arguments) : play(simulator, arguments);
+      recorded ? play_recorded(simulator, arguments) : play(scenario, simulator, arguments);
   if (!outcome.state.ended()) {
     report("interrupted: nothing was written");
     return kInterrupted;

@@ -70,7 +70,7 @@ Playthrough simulate(const std::string& scenario_file, const RunOptions& options
   Playthrough run;
   EventLog log;
   const RunSetup setup = sample_setup(scenario.line, options, seed);
-  run_episode(simulator, run.state, setup, seed, *planner, *allocator, &log);
+  run_episode(simulator, run.state, setup, seed, *planner, *allocator, {.log = &log});
   run.chart = make_gantt(read_text(event_log_text(scenario, log, simulator.progress(run.state))));
   return run;
 }

@@ -18,27 +18,40 @@ namespace {
 /// What one thread needs to make runs, made once.
 class Bench {
  public:
-  Bench(const Simulator& simulator, const Configuration& configuration, std::uint64_t seed)
+  Bench(const Scenario& scenario, const Simulator& simulator, const Configuration& configuration,
+        const TrialPlan& plan, const CancelToken* cancel)
       : simulator_(simulator),
-        planner_(configuration.make_planner
-                     ? configuration.make_planner(simulator)
-                     : PlannerRegistry::make(configuration.planner, simulator)),
         allocator_(make_allocator(configuration.allocator, simulator)),
-        seed_(seed) {}
+        plan_(plan),
+        cancel_(cancel) {
+    const PlannerContext context{.allocator = configuration.allocator,
+                                 .now_ns = plan.now_ns,
+                                 .scenario_file = scenario.file,
+                                 .scenario_hash = scenario.content_hash,
+                                 .cancel = cancel};
+    planner_ = configuration.make_planner
+                   ? configuration.make_planner(simulator)
+                   : PlannerRegistry::make(configuration.planner, simulator, context);
+  }
 
-  TrialResult run(const RunOptions& crew, std::size_t trial, const CancelToken* cancel) {
-    const RunSetup setup =
-        sample_setup(simulator_.line(), crew, RandomStream::derive(seed_, "setup", trial).next());
-    const std::uint64_t seed = RandomStream::derive(seed_, "run", trial).next();
-    run_episode(simulator_, state_, setup, seed, *planner_, *allocator_, nullptr, cancel);
-    return measure(state_, simulator_.progress(state_));
+  TrialResult run(const RunOptions& crew, std::size_t trial) {
+    const RunSetup setup = sample_setup(simulator_.line(), crew,
+                                        RandomStream::derive(plan_.seed, "setup", trial).next());
+    const std::uint64_t seed = RandomStream::derive(plan_.seed, "run", trial).next();
+    std::vector<std::int64_t> decision_ns;
+    run_episode(simulator_, state_, setup, seed, *planner_, *allocator_,
+                {.cancel = cancel_, .now_ns = plan_.now_ns, .decision_ns = &decision_ns});
+    TrialResult result = measure(state_, simulator_.progress(state_));
+    result.decision_ns = std::move(decision_ns);
+    return result;
   }
 
  private:
   const Simulator& simulator_;
   std::unique_ptr<Planner> planner_;
   std::unique_ptr<Allocator> allocator_;
-  std::uint64_t seed_;
+  const TrialPlan& plan_;
+  const CancelToken* cancel_;
   SimulationState state_;
 };
 
@@ -139,7 +152,7 @@ std::vector<std::vector<TrialResult>> run_trials(const Scenario& scenario,
   for (const RunOptions& crew : plan.crews) {
     static_cast<void>(sample_setup(simulator.line(), crew, plan.seed));
   }
-  static_cast<void>(Bench(simulator, configuration, plan.seed));
+  static_cast<void>(Bench(scenario, simulator, configuration, plan, cancel));
 
   const std::size_t total = plan.crews.size() * plan.trials;
   std::vector<std::vector<TrialResult>> results(plan.crews.size(),
@@ -152,14 +165,14 @@ std::vector<std::vector<TrialResult>> run_trials(const Scenario& scenario,
 
   const auto work = [&] {
     try {
-      Bench bench(simulator, configuration, plan.seed);
+      Bench bench(scenario, simulator, configuration, plan, cancel);
       constexpr std::size_t kChunk = 8;  // runs per grab: enough to keep the threads apart
       for (std::size_t begin = next.fetch_add(kChunk); begin < total;
            begin = next.fetch_add(kChunk)) {
         for (std::size_t job = begin; job < std::min(begin + kChunk, total); ++job) {
           if (cancel != nullptr && cancel->requested()) return;
           const std::size_t crew = job / plan.trials;
-          TrialResult result = bench.run(plan.crews[crew], job % plan.trials, cancel);
+          TrialResult result = bench.run(plan.crews[crew], job % plan.trials);
           if (result.status == RunStatus::kRunning || result.status == RunStatus::kDecision) return;
           results[crew][job % plan.trials] = std::move(result);
           ++finished[crew];

@@ -112,7 +112,7 @@ Trail random_trail(const Simulator& simulator, const RunSetup& setup, std::uint6
   SimulationState& state = trail.end;
   simulator.reset(state, setup);
   while (advance_and_join(simulator, state, *allocator) == RunStatus::kDecision) {
-    const auto task = planner->choose_task(state);
+    const auto task = planner->decide(state, all_choices(simulator, state)).task;
     trail.before.push_back(state);
     trail.decisions.push_back({state.now + 1, *task});
     simulator.assign(state, allocator->allocate(state, *task));

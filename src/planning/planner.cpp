@@ -20,11 +20,11 @@ class PriorityPlanner final : public Planner {
 
   void reset(std::uint64_t /*seed*/) override {}
 
-  std::optional<TaskId> choose_task(const SimulationState& state) override {
+  Decision decide(const SimulationState& /*state*/, const Choices& choices) override {
     for (const TaskId task : order_) {
-      if (state.is_selectable(task)) return task;
+      if (choices.tasks.contains(task)) return {.task = task};
     }
-    return std::nullopt;
+    return Decision::wait();
   }
 
  private:
@@ -33,22 +33,20 @@ class PriorityPlanner final : public Planner {
 
 class RandomPlanner final : public Planner {
  public:
-  explicit RandomPlanner(std::size_t tasks) : tasks_(tasks), random_(0) {}
+  RandomPlanner() : random_(0) {}
 
   void reset(std::uint64_t seed) override { random_ = RandomStream::derive(seed, "planner"); }
 
-  std::optional<TaskId> choose_task(const SimulationState& state) override {
-    std::size_t count = 0;
-    for (std::size_t t = 0; t < tasks_; ++t) count += state.is_selectable(TaskId(t)) ? 1 : 0;
-    std::size_t skip = random_.below(std::max<std::size_t>(1, count));
-    for (std::size_t t = 0; t < tasks_; ++t) {
-      if (state.is_selectable(TaskId(t)) && skip-- == 0) return TaskId(t);
-    }
-    return std::nullopt;
+  Decision decide(const SimulationState& /*state*/, const Choices& choices) override {
+    std::size_t skip = random_.below(std::max<std::size_t>(1, choices.tasks.size()));
+    Decision decision;
+    choices.tasks.each([&](TaskId task) {
+      if (skip-- == 0) decision.task = task;
+    });
+    return decision;
   }
 
  private:
-  std::size_t tasks_;
   RandomStream random_;
 };
 
@@ -108,7 +106,8 @@ const std::vector<PlannerRegistry::Entry>& PlannerRegistry::entries() {
   return all;
 }
 
-std::unique_ptr<Planner> PlannerRegistry::make(std::string_view spec, const Simulator& simulator) {
+std::unique_ptr<Planner> PlannerRegistry::make(std::string_view spec, const Simulator& simulator,
+                                               const PlannerContext& /*context*/) {
   const std::size_t colon = std::min(spec.find(':'), spec.size());
   const std::string_view name = spec.substr(0, colon);
   const std::string_view rest = spec.substr(std::min(colon + 1, spec.size()));
@@ -129,7 +128,7 @@ std::unique_ptr<Planner> PlannerRegistry::make(std::string_view spec, const Simu
     throw ScenarioError({}, fmt::format("planner '{}' takes no '{}'", name, rest),
                         fmt::format("write just {}", name));
   }
-  if (name == "random") return std::make_unique<RandomPlanner>(simulator.line().tasks.size());
+  if (name == "random") return std::make_unique<RandomPlanner>();
   return std::make_unique<PriorityPlanner>(by_number(simulator.line()));
 }
 

@@ -18,15 +18,18 @@ PolicyPlanner::PolicyPlanner(const Simulator& simulator, std::shared_ptr<const N
 
 void PolicyPlanner::reset(std::uint64_t /*seed*/) {}
 
-std::optional<TaskId> PolicyPlanner::choose_task(const SimulationState& state) {
+Decision PolicyPlanner::decide(const SimulationState& state, const Choices& choices) {
   encoder_.encode(state, {features_.data(), present_.data(), selectable_.data()});
   network_->forward(features_.data(), present_.data(), workspace_, nullptr, output_);
+  const auto may_take = [&](std::size_t a) {
+    return selectable_[a] != 0 && (a < tasks_ ? choices.tasks.contains(TaskId(a)) : choices.wait);
+  };
   std::optional<std::size_t> best;
   for (std::size_t a = 0; a < selectable_.size(); ++a) {
-    if (selectable_[a] != 0 && (!best || output_.actions[a] > output_.actions[*best])) best = a;
+    if (may_take(a) && (!best || output_.actions[a] > output_.actions[*best])) best = a;
   }
-  if (!best || *best >= tasks_) return std::nullopt;
-  return TaskId(*best);
+  if (!best || *best >= tasks_) return Decision::wait();
+  return {.task = TaskId(*best)};
 }
 
 std::unique_ptr<Planner> make_policy_planner(const std::string& file, const Simulator& simulator) {

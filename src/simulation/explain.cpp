@@ -63,7 +63,7 @@ std::string Simulator::explain_unselectable(const SimulationState& state, TaskId
 
 std::string Simulator::explain_refusal(const SimulationState& state,
                                        const Assignment& assignment) const {
-  if (assignable(state, assignment)) return {};
+  if (can_assign(state, assignment)) return {};
   if (state.ended()) return "the run has ended";
   if (state.now >= state.horizon) return "the horizon has been reached";
   if (assignment.task.value < 0 || assignment.task.index() >= line_->tasks.size()) {

@@ -28,7 +28,7 @@ RunStatus Simulator::advance_to(SimulationState& state, Tick tick, EventLog* log
 }
 
 bool Simulator::assign(SimulationState& state, const Assignment& assignment, EventLog* log) const {
-  if (!assignable(state, assignment)) return false;
+  if (!can_assign(state, assignment)) return false;
   Engine(*compiled_, state, log).assign(assignment);
   return true;
 }
@@ -71,7 +71,7 @@ bool Simulator::carrier_fits(const SimulationState& state, const CrewSlot& slot,
   return false;
 }
 
-bool Simulator::assignable(const SimulationState& state, const Assignment& assignment) const {
+bool Simulator::can_assign(const SimulationState& state, const Assignment& assignment) const {
   if (state.ended() || state.now >= state.horizon) return false;
   if (assignment.task.value < 0 || assignment.task.index() >= line_->tasks.size()) return false;
   if (!state.is_selectable(assignment.task)) return false;

@@ -30,6 +30,8 @@ struct TrialPlan {
   std::size_t trials = 100;       ///< runs per crew, >= 1
   std::uint64_t seed = 1;   ///< trial i starts from the same positions whatever the configuration
   std::size_t threads = 0;  ///< 0: one per core. Never changes a result
+  /// A clock (PlannerContext::now_ns), for planners with a budget in time and to time decisions.
+  std::function<std::int64_t()> now_ns;
 };
 
 /// What one worker did, as shares of the run's length; they add up to 1.
@@ -48,8 +50,9 @@ struct TrialResult {
   std::int64_t distance_mm = 0;  ///< all workers together
   std::int64_t distance_ticks = 0;
   std::int32_t decisions = 0;
-  std::vector<WorkerShares> workers;  ///< by WorkerId
-  std::vector<double> machines;       ///< busy share (holding and recovery included), by machine
+  std::vector<std::int64_t> decision_ns;  ///< what each decision took; empty without a clock
+  std::vector<WorkerShares> workers;      ///< by WorkerId
+  std::vector<double> machines;  ///< busy share (holding and recovery included), by machine
 };
 
 /// One crew's trials, put together.

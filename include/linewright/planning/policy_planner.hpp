@@ -9,15 +9,15 @@
 
 namespace linewright {
 
-/// A learned policy at work (paper, Sec. 3.3): the selectable task with the largest Q value (or
-/// logit), without any exploration. Ties: the lowest task number. No LibTorch.
+/// A learned policy at work (paper, Sec. 3.3): of the tasks that may be chosen the one with the
+/// largest Q value (or logit), without any exploration. Ties: the lowest task number. No LibTorch.
 class PolicyPlanner final : public Planner {
  public:
   /// The simulator must outlive it; the network must be made for observations of its line.
   PolicyPlanner(const Simulator& simulator, std::shared_ptr<const Network> network);
 
   void reset(std::uint64_t seed) override;
-  [[nodiscard]] std::optional<TaskId> choose_task(const SimulationState& state) override;
+  [[nodiscard]] Decision decide(const SimulationState& state, const Choices& choices) override;
 
  private:
   ObservationEncoder encoder_;

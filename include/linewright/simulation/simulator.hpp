@@ -53,6 +53,9 @@ class Simulator {
   /// nothing, when `explain_refusal` has something to say about the assignment.
   bool assign(SimulationState& state, const Assignment& assignment, EventLog* log = nullptr) const;
 
+  /// Whether `assign` would take it: explain_refusal without the words.
+  [[nodiscard]] bool can_assign(const SimulationState& state, const Assignment& assignment) const;
+
   /// The decision to wait: goes on to the end of the next tick in which something happens. Returns
   /// false, and changes nothing, when nothing is under way that could happen.
   bool wait(SimulationState& state, EventLog* log = nullptr) const;
@@ -113,8 +116,6 @@ class Simulator {
   [[nodiscard]] const TravelTable& travel(const SimulationState& state, WorkerKindId kind) const;
 
  private:
-  [[nodiscard]] bool assignable(const SimulationState& state, const Assignment& assignment) const;
-
   std::shared_ptr<const LineModel> line_;
   std::unique_ptr<const CompiledLine> compiled_;
 };
