@@ -50,7 +50,8 @@ std::vector<Configuration> listed(const Configuration& configuration) {
       throw ScenarioError({}, fmt::format("--allocator: '{}' is listed twice", name),
                           "list each allocator once");
     }
-    all.push_back({.planner = configuration.planner, .allocator = name});
+    all.push_back(configuration);
+    all.back().allocator = name;
     if (comma == rest.size()) return all;
     rest.remove_prefix(comma + 1);
   }
@@ -99,6 +100,7 @@ void show(const EvaluateArguments& arguments, const LineModel& line,
     if (evaluation.rows.empty()) continue;  // interrupted before the first crew was complete
     if (&evaluation != &evaluations[0]) print("\n");
     print(evaluation_text(line, evaluation));
+    print(shield_text(evaluation));
     if (arguments.utilisation) print(utilisation_text(line, evaluation));
   }
   if (paired) print(paired_text(line, evaluations[0], evaluations[1]));
@@ -173,6 +175,7 @@ Command add_evaluate(CLI::App& app) {
       ->description(app.get_option("--allocator")->get_description() +
                     "; several with commas are compared")
       ->type_name("NAME,...");
+  add_shield_option(app, arguments->run);
   add_close_option(app, arguments->run);
   app.add_option("--trials", arguments->trials, "Runs per crew, each from other start positions")
       ->capture_default_str()

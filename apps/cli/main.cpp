@@ -85,8 +85,8 @@ int main(int argc, char** argv) {
       {"schema", "Print the JSON Schema of scenario files"},
       {"train", "Train a policy for a line (needs LibTorch)"}};
   linewright::cli::Command (*const add[])(CLI::App&) = {
-      cli::add_simulate, cli::add_evaluate, cli::add_check,  cli::add_gantt, cli::add_map,
-      cli::add_routes,   cli::add_bench,    cli::add_bound,  cli::add_schema, cli::add_train};
+      cli::add_simulate, cli::add_evaluate, cli::add_check, cli::add_gantt,  cli::add_map,
+      cli::add_routes,   cli::add_bench,    cli::add_bound, cli::add_schema, cli::add_train};
   std::vector<std::pair<CLI::App*, cli::Command>> commands;
   for (std::size_t i = 0; i < subcommands.size(); ++i) {
     CLI::App* sub = app.add_subcommand(subcommands[i].first, subcommands[i].second);

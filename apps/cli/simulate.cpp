@@ -45,8 +45,10 @@ Outcome play(const Scenario& scenario, const Simulator& simulator,
   const auto planner = PlannerRegistry::make(configuration.planner, simulator,
                                              planner_context(scenario, configuration.allocator));
   const auto allocator = make_allocator(configuration.allocator, simulator);
+  std::unique_ptr<Shield> shield;
+  if (configuration.shield) shield = std::make_unique<Shield>(simulator);
   run_episode(simulator, outcome.state, setup, arguments.run.seed, *planner, *allocator,
-              {.log = &outcome.log, .cancel = &interrupted()});
+              {.log = &outcome.log, .cancel = &interrupted(), .shield = shield.get()});
   return outcome;
 }
 
@@ -287,6 +289,7 @@ Command add_simulate(CLI::App& app) {
   add_scenario_option(app, arguments->run);
   add_run_options(app, arguments->run);
   add_configuration_options(app, arguments->run);
+  add_shield_option(app, arguments->run);
   add_close_option(app, arguments->run);
   app.get_option("--planner")
       ->description(app.get_option("--planner")->get_description() +
