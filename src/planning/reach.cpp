@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include "linewright/line/lower_limits.hpp"
-
 namespace linewright {
 namespace {
 
@@ -65,7 +63,8 @@ int Reach::store_of(const Task& task, const Endpoint& here, const Endpoint& ther
 }
 
 void Reach::add_transfer(int t, const Task& task, const TransferAction& transfer) {
-  Flow flow{.task = t};
+  Flow flow;
+  flow.task = t;
   const int from = store_of(task, transfer.source, transfer.destination);
   const int into = store_of(task, transfer.destination, transfer.source);
   if (from >= 0) flow.takes.emplace_back(from, 1);
@@ -86,7 +85,21 @@ std::optional<int> Reach::parked_in(std::size_t task, std::size_t slot) const {
   return std::nullopt;
 }
 
+void Reach::fill_limits(std::int32_t order) {
+  if (order == limits_order_) return;
+  limits_order_ = order;
+  task_limits_.clear();
+  operation_limits_.clear();
+  for (const Task& task : line_.tasks) task_limits_.push_back(lower_limits(task.when, order));
+  for (const Operation& operation : line_.operations)
+    operation_limits_.push_back(lower_limits(operation.when, order));
+  done_limits_ = lower_limits(line_.order.done_when, order);
+  if (line_.order.done_when.always())
+    done_limits_ = {{{VariableKind::kPlaceCount, line_.order.finished_in.value}, order}};
+}
+
 void Reach::begin(const SimulationState& state) {
+  fill_limits(state.order);
   const std::size_t stores =
       line_.places.size() + line_.carrier_kinds.size() * materials_.names.size();
   lots_ = 4 * std::int64_t{state.order} + 1000;
@@ -153,11 +166,18 @@ bool Reach::limit_holds(Variable variable, std::int64_t value) const {
   }
 }
 
-bool Reach::can_start(const Task& task, std::int32_t order) const {
-  std::vector<int> needed(line_.worker_kinds.size(), 0);
+bool Reach::limits_hold(const std::vector<LowerLimit>& limits) const {
+  return std::all_of(limits.begin(), limits.end(), [&](const LowerLimit& limit) {
+    return limit_holds(limit.variable, limit.value);
+  });
+}
+
+bool Reach::can_start(std::size_t t) {
+  const Task& task = line_.tasks[t];
+  needed_.assign(line_.worker_kinds.size(), 0);
   for (const CrewSlot& slot : task.crew) {
-    if (slot.worker && !slot.join_late && ++needed[slot.worker->index()] > 0 &&
-        needed[slot.worker->index()] > workers_[slot.worker->index()])
+    if (slot.worker && !slot.join_late &&
+        ++needed_[slot.worker->index()] > workers_[slot.worker->index()])
       return false;
     if (!slot.carrier) continue;
     const bool there = slot.wanted == CarrierWanted::kBerth ? in_berth_[slot.berth.index()]
@@ -168,16 +188,13 @@ bool Reach::can_start(const Task& task, std::int32_t order) const {
     if (!reservation.room && !limit_holds({VariableKind::kPlaceCount, reservation.place.value}, 1))
       return false;
   }
-  const std::vector<LowerLimit> limits = lower_limits(task.when, order);
-  return std::all_of(limits.begin(), limits.end(), [&](const LowerLimit& limit) {
-    return limit_holds(limit.variable, limit.value);
-  });
+  return limits_hold(task_limits_[t]);
 }
 
-bool Reach::start_tasks(const SimulationState& state) {
+bool Reach::start_tasks() {
   bool more = false;
   for (std::size_t t = 0; t < line_.tasks.size(); ++t) {
-    if (possible_[t] || !can_start(line_.tasks[t], state.order)) continue;
+    if (possible_[t] || !can_start(t)) continue;
     possible_[t] = true;
     more = true;
     for (std::size_t slot = 0; slot < line_.tasks[t].crew.size(); ++slot) {
@@ -193,7 +210,7 @@ bool Reach::start_tasks(const SimulationState& state) {
   return more;
 }
 
-bool Reach::can_fire(const Flow& flow, std::int32_t order) const {
+bool Reach::can_fire(const Flow& flow) const {
   if (flow.task >= 0) return possible_[at(flow.task)];
   const Operation& operation = line_.operations[at(flow.operation)];
   if (operation.operated_by) {
@@ -206,10 +223,7 @@ bool Reach::can_fire(const Flow& flow, std::int32_t order) const {
   for (const TokenFlow& given : operation.produces) {
     if (line_.places[given.place.index()].berth && !in_berth_[given.place.index()]) return false;
   }
-  const std::vector<LowerLimit> limits = lower_limits(operation.when, order);
-  return std::all_of(limits.begin(), limits.end(), [&](const LowerLimit& limit) {
-    return limit_holds(limit.variable, limit.value);
-  });
+  return limits_hold(operation_limits_[at(flow.operation)]);
 }
 
 bool Reach::bring(int store, std::int64_t tokens) {
@@ -218,7 +232,7 @@ bool Reach::bring(int store, std::int64_t tokens) {
   return tokens_[at(store)] > before;
 }
 
-bool Reach::fire(const SimulationState& state) {
+bool Reach::fire() {
   bool more = false;
   for (std::size_t f = 0; f < flows_.size(); ++f) {
     const Flow& flow = flows_[f];
@@ -227,7 +241,7 @@ bool Reach::fire(const SimulationState& state) {
       const std::int64_t there = tokens_[at(store)];
       times = std::min(times, there >= lots_ ? lots_ : there / count);
     }
-    if (times <= fired_[f] || !can_fire(flow, state.order)) continue;
+    if (times <= fired_[f] || !can_fire(flow)) continue;
     for (const auto& [store, count] : flow.gives)
       more = bring(store, times >= lots_ ? lots_ : (times - fired_[f]) * count) || more;
     fired_[f] = times;
@@ -238,14 +252,10 @@ bool Reach::fire(const SimulationState& state) {
 bool Reach::may_finish(const SimulationState& state) {
   begin(state);
   for (bool more = true; more;) {
-    more = start_tasks(state);
-    more = fire(state) || more;
+    more = start_tasks();
+    more = fire() || more;
   }
-  std::vector<LowerLimit> needs = lower_limits(line_.order.done_when, state.order);
-  if (line_.order.done_when.always()) {
-    needs = {{{VariableKind::kPlaceCount, line_.order.finished_in.value}, state.order}};
-  }
-  return std::all_of(needs.begin(), needs.end(), [&](const LowerLimit& need) {
+  return std::all_of(done_limits_.begin(), done_limits_.end(), [&](const LowerLimit& need) {
     return std::int64_t{need.value} > lots_ || limit_holds(need.variable, need.value);
   });
 }

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "linewright/line/line_model.hpp"
+#include "linewright/line/lower_limits.hpp"
 #include "linewright/line/materials.hpp"
 #include "linewright/simulation/simulator.hpp"
 
@@ -40,11 +41,13 @@ class Reach {
   [[nodiscard]] int pool(int kind, int material) const;
   void begin(const SimulationState& state);
   void count_carriers(const SimulationState& state);
-  bool start_tasks(const SimulationState& state);
-  bool fire(const SimulationState& state);
-  [[nodiscard]] bool can_start(const Task& task, std::int32_t order) const;
+  bool start_tasks();
+  bool fire();
+  void fill_limits(std::int32_t order);
+  [[nodiscard]] bool limits_hold(const std::vector<LowerLimit>& limits) const;
+  [[nodiscard]] bool can_start(std::size_t t);
   [[nodiscard]] bool limit_holds(Variable variable, std::int64_t value) const;
-  [[nodiscard]] bool can_fire(const Flow& flow, std::int32_t order) const;
+  [[nodiscard]] bool can_fire(const Flow& flow) const;
   [[nodiscard]] std::optional<int> parked_in(std::size_t task, std::size_t slot) const;
   bool bring(int store, std::int64_t tokens);
 
@@ -54,6 +57,10 @@ class Reach {
   std::vector<Flow> flows_;
   std::vector<Parking> parkings_;
   std::vector<std::vector<bool>> operated_;  ///< [operation][task]
+  std::vector<std::vector<LowerLimit>> task_limits_;
+  std::vector<std::vector<LowerLimit>> operation_limits_;
+  std::vector<LowerLimit> done_limits_;
+  std::int32_t limits_order_ = -1;  ///< the order that the limits are of
   // Of the state that is looked at.
   std::int64_t lots_ = 0;             ///< as good as without limit
   std::vector<std::int64_t> tokens_;  ///< by store
@@ -62,6 +69,7 @@ class Reach {
   std::vector<bool> carrier_free_;    ///< by kind
   std::vector<bool> in_berth_;        ///< by place
   std::vector<int> workers_;          ///< by kind
+  std::vector<int> needed_;
 };
 
 }  // namespace linewright

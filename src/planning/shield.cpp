@@ -13,6 +13,8 @@ namespace {
 
 constexpr std::size_t kLongestRollout = 20'000;  // decisions and waits
 constexpr std::size_t kMostKnown = 500'000;      // states remembered in one run
+constexpr std::size_t kFirstRules = 4;           // tried before any search
+constexpr std::size_t kFewStates = 300;          // of the search before the other rules
 constexpr std::uint64_t kSeed = 1;               // of the rules that are tried
 
 }  // namespace
@@ -64,11 +66,20 @@ Shield::Verdict Shield::look(SimulationState& state) {
     return known->second;
   }
   if (known_.size() > kMostKnown) known_.clear();
-  Verdict verdict = Verdict::kFatal;
-  if (reach_->may_finish(state))
-    verdict = some_rule_finishes(state) ? Verdict::kSafe : search(state);
+  const Verdict verdict = find_out(state);
   known_[key] = verdict;
   return verdict;
+}
+
+/// Cheap looks first: most states are safe by one of the first rules, most fatal ones have few
+/// futures.
+Shield::Verdict Shield::find_out(const SimulationState& state) {
+  if (!reach_->may_finish(state)) return Verdict::kFatal;
+  if (some_rule_finishes(state, 0, std::min(kFirstRules, options_.rollouts))) return Verdict::kSafe;
+  const Verdict few = search(state, std::min(kFewStates, options_.max_states));
+  if (few != Verdict::kUnknown) return few;
+  if (some_rule_finishes(state, kFirstRules, options_.rollouts)) return Verdict::kSafe;
+  return search(state, options_.max_states);
 }
 
 Shield::Rule Shield::next_rule() {
@@ -81,9 +92,9 @@ Shield::Rule Shield::next_rule() {
   return rule;
 }
 
-bool Shield::some_rule_finishes(const SimulationState& from) {
-  for (std::size_t r = 0; r < options_.rollouts; ++r) {
-    if (r == rules_.size()) rules_.push_back(next_rule());
+bool Shield::some_rule_finishes(const SimulationState& from, std::size_t first, std::size_t end) {
+  for (std::size_t r = first; r < end; ++r) {
+    while (r >= rules_.size()) rules_.push_back(next_rule());
     state_ = from;
     if (!finishes(state_, rules_[r])) continue;
     std::rotate(rules_.begin(), rules_.begin() + static_cast<std::ptrdiff_t>(r),
@@ -126,7 +137,7 @@ bool Shield::finishes(SimulationState& state, const Rule& rule) {
 }
 
 /// Depth first over decisions and waiting; a state seen before is not entered again.
-Shield::Verdict Shield::search(const SimulationState& start) {
+Shield::Verdict Shield::search(const SimulationState& start, std::size_t most) {
   ++statistics_.searches;
   std::unordered_set<StateKey, StateKeyHash> seen;
   std::vector<SimulationState> open{start};
@@ -143,7 +154,7 @@ Shield::Verdict Shield::search(const SimulationState& start) {
     }
     if (!seen.insert(key).second || !reach_->may_finish(state)) continue;
     ++statistics_.states;
-    if (seen.size() > options_.max_states) return Verdict::kUnknown;
+    if (seen.size() > most) return Verdict::kUnknown;
     if (!state.events.empty()) {  // waiting is tried last
       open.push_back(state);
       simulator_.wait(open.back());

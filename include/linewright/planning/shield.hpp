@@ -69,9 +69,11 @@ class Shield {
   };
 
   [[nodiscard]] Verdict look(SimulationState& state);
-  [[nodiscard]] bool some_rule_finishes(const SimulationState& from);
+  [[nodiscard]] Verdict find_out(const SimulationState& state);
+  [[nodiscard]] bool some_rule_finishes(const SimulationState& from, std::size_t first,
+                                        std::size_t end);
   [[nodiscard]] bool finishes(SimulationState& state, const Rule& rule);
-  [[nodiscard]] Verdict search(const SimulationState& start);
+  [[nodiscard]] Verdict search(const SimulationState& start, std::size_t most);
   [[nodiscard]] Rule next_rule();
 
   const Simulator& simulator_;
