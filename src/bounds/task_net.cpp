@@ -37,7 +37,7 @@ TaskNet::TaskNet(LineNet& net, TaskId task)
       members_[slot].stands = station_of_berth(net.line, crew.berth);
     if (!crew.join_late) continue;
     members_[slot].joined = net_.net.add({.name = task_.name + " joined"});
-    net_.net[members_[slot].joined].arcs.push_back({.from = events_.start, .lag = 1});
+    net_.net[members_[slot].joined].arcs.push_back({.from = events_.start});
   }
 }
 

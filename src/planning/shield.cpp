@@ -1,6 +1,7 @@
 #include "linewright/planning/shield.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <numeric>
 #include <unordered_set>
 
@@ -114,11 +115,14 @@ bool Shield::finishes(SimulationState& state, const Rule& rule) {
     return std::nullopt;
   };
   bool alive = false;
+  StateKey mark;
   for (std::size_t step = 0; step < kLongestRollout; ++step) {
     const RunStatus status = advance_and_join(simulator_, state, *allocator_);
     alive = status == RunStatus::kFinished;
     if (status != RunStatus::kDecision) break;
     trail_.push_back(state_key(simulator_, state, scratch_));
+    if (step > 0 && trail_.back() == mark) break;  // it goes round in circles
+    if (std::has_single_bit(step + 1)) mark = trail_.back();
     if (const auto known = known_.find(trail_.back()); known != known_.end()) {
       if (known->second != Verdict::kUnknown) {
         alive = known->second == Verdict::kSafe;

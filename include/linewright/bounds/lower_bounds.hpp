@@ -19,10 +19,10 @@ struct Bound {
 };
 
 struct BoundOptions {
-  /// Most states that the sequencing of one worker keeps per number of jobs done. More: a higher
-  /// bound where a kind has one worker, in time and memory in proportion (about 20 us and 1 kB
-  /// each); 0: without sequencing.
-  std::size_t most_states = 20'000;
+  /// Most states that the sequencing of one resource keeps per number of units done; where there
+  /// are more, some are merged. More: a higher bound where a kind has one worker (on the duct line
+  /// some ticks for each doubling), in time in proportion (5000: seconds); 0: without sequencing.
+  std::size_t most_states = 5000;
 };
 
 /// Lower bounds of the makespan of one setup, the best first (ties: in the order of their kinds).
