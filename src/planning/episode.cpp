@@ -100,6 +100,7 @@ RunStatus run_episode(const Simulator& simulator, SimulationState& state, const 
     if (options.cancel != nullptr && options.cancel->requested()) return RunStatus::kRunning;
     const GuardedDecision decision =
         guarded_decision(simulator, state, planner, allocator, options);
+    if (options.observe) options.observe(state, decision);
     if (decision.assignment) {
       if (!simulator.assign(state, *decision.assignment, options.log)) {
         throw std::logic_error("the planner chose somebody who cannot do the task");

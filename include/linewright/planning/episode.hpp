@@ -13,6 +13,12 @@
 
 namespace linewright {
 
+/// What happens next in a run.
+struct GuardedDecision {
+  std::optional<Assignment> assignment;  ///< none: wait
+  TaskSet masked;                        ///< tasks that the planner wanted and must not do now
+};
+
 /// What else belongs to a run; all of it may be left out.
 struct EpisodeOptions {
   EventLog* log = nullptr;
@@ -25,12 +31,8 @@ struct EpisodeOptions {
   /// the run. None: every selectable task may be chosen, as in the paper.
   Shield* shield = nullptr;
   std::int64_t* shield_ns = nullptr;  ///< with a clock: the shield's time is added here
-};
-
-/// What happens next in a run.
-struct GuardedDecision {
-  std::optional<Assignment> assignment;  ///< none: wait
-  TaskSet masked;                        ///< tasks that the planner wanted and must not do now
+  /// Called before each decision is carried out, with the state that it was taken in.
+  std::function<void(const SimulationState&, const GuardedDecision&)> observe;
 };
 
 /// Asks the planner, and the allocator where the planner does not choose the agents, until the
