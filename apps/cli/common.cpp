@@ -132,6 +132,20 @@ std::vector<std::string> allocators_of(std::string_view list) {
   }
 }
 
+void add_shield_option(CLI::App& app, RunArguments& arguments) {
+  arguments.configuration.shield = true;
+  app.add_option_function<std::string>(
+         "--shield",
+         [&arguments](const std::string& value) {
+           arguments.shield = value;
+           arguments.configuration.shield = value == "on";
+         },
+         "Whether decisions after which the order cannot be finished are ruled out: on or off (as "
+         "in the paper); default on")
+      ->check(CLI::IsMember({"on", "off"}))
+      ->type_name("on|off");
+}
+
 std::vector<RunOptions> crews_of(const RunArguments& arguments, const LineModel& line, bool fill) {
   std::vector<std::vector<std::int32_t>> counts(line.worker_kinds.size());
   const auto set = [&](const std::string& option, const std::string& kind,

@@ -41,12 +41,15 @@ struct RunArguments {
   std::vector<std::string> close;  ///< "ZONE@TICK+TICKS"
   std::uint64_t seed = 1;
   Configuration configuration;
+  std::string shield = "on";  ///< with add_shield_option: "on" or "off"
   bool json = false;
 };
 
 void add_scenario_option(CLI::App& app, RunArguments& arguments);
 void add_run_options(CLI::App& app, RunArguments& arguments);
 void add_configuration_options(CLI::App& app, RunArguments& arguments);
+/// Sets Configuration::shield, too, once the command line has been parsed.
+void add_shield_option(CLI::App& app, RunArguments& arguments);
 void add_close_option(CLI::App& app, RunArguments& arguments);
 
 /// The allocators of a comma list. Throws ScenarioError for names that are unknown or listed twice.
@@ -115,6 +118,7 @@ Command add_gantt(CLI::App& app);
 Command add_map(CLI::App& app);
 Command add_routes(CLI::App& app);
 Command add_bench(CLI::App& app);
+Command add_bound(CLI::App& app);
 Command add_schema(CLI::App& app);
 Command add_train(CLI::App& app);
 Command add_tune_priority(CLI::App& app);

@@ -63,7 +63,9 @@ std::vector<Configuration> configurations_of(const EvaluateArguments& arguments)
   std::vector<Configuration> configurations;
   for (const std::string& planner : planners) {
     for (const std::string& allocator : allocators) {
-      configurations.push_back({.planner = planner, .allocator = allocator, .make_planner = {}});
+      configurations.push_back(arguments.run.configuration);
+      configurations.back().planner = planner;
+      configurations.back().allocator = allocator;
     }
   }
   if (arguments.versus.empty()) return configurations;
@@ -111,6 +113,7 @@ void show(const EvaluateArguments& arguments, const LineModel& line,
     if (evaluation.rows.empty()) continue;  // interrupted before the first crew was complete
     if (&evaluation != &evaluations[0]) print("\n");
     print(evaluation_text(line, evaluation));
+    print(shield_text(evaluation));
     if (arguments.utilisation) print(utilisation_text(line, evaluation));
   }
   if (paired) print(paired_text(line, evaluations[0], evaluations[1]));
@@ -194,6 +197,7 @@ Command add_evaluate(CLI::App& app) {
                  who + "; several with commas, or the option again, are compared (default: first)")
       ->type_name("NAME,...")
       ->allow_extra_args(false);
+  add_shield_option(app, arguments->run);
   add_close_option(app, arguments->run);
   app.add_option("--trials", arguments->trials, "Runs per crew, each from other start positions")
       ->capture_default_str()

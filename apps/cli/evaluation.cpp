@@ -45,4 +45,20 @@ std::vector<std::string> lowest(const std::vector<Evaluation>& evaluations,
   return names;
 }
 
+ShieldTotals shield_totals(const Evaluation& evaluation) {
+  ShieldTotals totals;
+  std::int64_t ns = 0;
+  for (const auto& crew : evaluation.trials) {
+    for (const TrialResult& trial : crew) {
+      totals.decisions += trial.decisions;
+      totals.masked += trial.masked;
+      ns += trial.shield_ns;
+    }
+  }
+  if (totals.decisions > 0)
+    totals.us_per_decision =
+        static_cast<double>(ns) / 1000.0 / static_cast<double>(totals.decisions);
+  return totals;
+}
+
 }  // namespace linewright::cli

@@ -42,6 +42,14 @@ struct Evaluation {
   }
 };
 
+/// Of all runs of an evaluation.
+struct ShieldTotals {
+  std::int64_t decisions = 0;
+  std::size_t masked = 0;
+  double us_per_decision = 0.0;
+};
+[[nodiscard]] ShieldTotals shield_totals(const Evaluation& evaluation);
+
 /// "PLANNER+ALLOCATOR".
 [[nodiscard]] std::string name_of(const Configuration& configuration);
 
@@ -58,6 +66,8 @@ struct Evaluation {
 
 // Tables for people, each with its title.
 [[nodiscard]] std::string evaluation_text(const LineModel& line, const Evaluation& evaluation);
+/// What the shield ruled out and how long it took per decision; empty without a shield.
+[[nodiscard]] std::string shield_text(const Evaluation& evaluation);
 [[nodiscard]] std::string utilisation_text(const LineModel& line, const Evaluation& evaluation);
 [[nodiscard]] std::string paired_text(const LineModel& line, const Evaluation& first,
                                       const Evaluation& second);

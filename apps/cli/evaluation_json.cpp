@@ -55,8 +55,12 @@ Json comparison_json(const PairedComparison& comparison) {
 nlohmann::ordered_json evaluation_json(const LineModel& line, const Evaluation& evaluation) {
   Json object{{"planner", evaluation.configuration.planner},
               {"allocator", evaluation.configuration.allocator},
+              {"shield", evaluation.configuration.shield ? "on" : "off"},
               {"rows", Json::array()}};
   for (const TrialSummary& row : evaluation.rows) object["rows"].push_back(row_json(line, row));
+  if (evaluation.configuration.shield) {
+    object["ruled_out"] = shield_totals(evaluation).masked;  // no times: equal runs, equal output
+  }
   object["mean_makespan"] = evaluation.makespan();
   object["success_rate"] = evaluation.success_rate();
   object["progress"] = evaluation.progress();

@@ -149,4 +149,11 @@ std::string allocators_text(const LineModel& line, const std::vector<Evaluation>
                             fmt::join(lowest(evaluations, &Evaluation::distance_m), ", "));
 }
 
+std::string shield_text(const Evaluation& evaluation) {
+  if (!evaluation.configuration.shield) return {};
+  const ShieldTotals totals = shield_totals(evaluation);
+  return fmt::format("shield: {} decisions ruled out, {} taken; {:.1f} us per decision\n",
+                     totals.masked, totals.decisions, totals.us_per_decision);
+}
+
 }  // namespace linewright::cli

@@ -14,6 +14,7 @@
 #include "linewright/evaluation/log_document.hpp"
 #include "linewright/evaluation/recorded_run.hpp"
 #include "linewright/planning/episode.hpp"
+#include "linewright/planning/explain.hpp"
 #include "linewright/planning/planner.hpp"
 #include "linewright/planning/replay.hpp"
 
@@ -27,6 +28,7 @@ struct SimulateArguments {
   std::string log;
   std::string gantt;
   std::string decisions;
+  bool explain = false;
 };
 
 /// A run that has ended, and what a replay had to compare.
@@ -36,6 +38,7 @@ struct Outcome {
   std::optional<RecordedRun> recorded;
   ReplayResult replayed;
   std::vector<MilestoneComparison> milestones;
+  std::string explanations;  ///< with --explain: of every decision, in order
 };
 
 Outcome play(const Scenario& scenario, const Simulator& simulator,
@@ -48,8 +51,19 @@ Outcome play(const Scenario& scenario, const Simulator& simulator,
   context.threads = std::max(1U, std::thread::hardware_concurrency());  // one run: all for it
   const auto planner = PlannerRegistry::make(configuration.planner, simulator, context);
   const auto allocator = make_allocator(configuration.allocator, simulator);
-  run_episode(simulator, outcome.state, setup, arguments.run.seed, *planner, *allocator,
-              {.log = &outcome.log, .cancel = &interrupted()});
+  std::unique_ptr<Shield> shield;
+  if (configuration.shield) shield = std::make_unique<Shield>(simulator);
+  EpisodeOptions options{.log = &outcome.log, .cancel = &interrupted(), .shield = shield.get()};
+  const auto base = PlannerRegistry::make("first", simulator);
+  const auto base_allocator = make_allocator(configuration.allocator, simulator);
+  if (arguments.explain) {
+    options.observe = [&](const SimulationState& state, const GuardedDecision& decision) {
+      const DecisionExplanation explanation =
+          explain_decision(simulator, state, decision, *base, *base_allocator);
+      outcome.explanations += explanation_text(simulator, state, explanation) + "\n";
+    };
+  }
+  run_episode(simulator, outcome.state, setup, arguments.run.seed, *planner, *allocator, options);
   return outcome;
 }
 
@@ -267,6 +281,11 @@ int simulate(const SimulateArguments& arguments) {
   const Scenario scenario = load(arguments.run.scenario);
   const Simulator simulator(std::make_shared<const LineModel>(scenario.line));
   const bool recorded = arguments.run.configuration.planner == "replay";
+  if (arguments.explain && (recorded || arguments.run.json)) {
+    throw ScenarioError({}, "--explain prints text about the decisions of a planner",
+                        recorded ? "leave out --explain, or let a planner decide"
+                                 : "leave out --json or --explain");
+  }
   if (!recorded && !arguments.decisions.empty()) {
     throw ScenarioError({}, "--decisions is only read by the planner 'replay'",
                         "add --planner replay");
@@ -278,6 +297,7 @@ int simulate(const SimulateArguments& arguments) {
     return kInterrupted;
   }
   write_outputs(scenario, simulator, arguments, outcome);
+  print(outcome.explanations);
   print(arguments.run.json ? to_json(simulator, arguments, outcome).dump(2) + "\n"
                            : to_text(simulator, arguments, outcome));
   return kOk;
@@ -290,6 +310,7 @@ Command add_simulate(CLI::App& app) {
   add_scenario_option(app, arguments->run);
   add_run_options(app, arguments->run);
   add_configuration_options(app, arguments->run);
+  add_shield_option(app, arguments->run);
   add_close_option(app, arguments->run);
   app.get_option("--planner")
       ->description(app.get_option("--planner")->get_description() +
@@ -297,6 +318,9 @@ Command add_simulate(CLI::App& app) {
   app.add_option("--decisions", arguments->decisions,
                  "Recorded decisions to replay (docs/formats/decisions.md), or an event log")
       ->type_name("FILE");
+  app.add_flag("--explain", arguments->explain,
+               "Print for each decision what else could have been chosen, how long the run would "
+               "take then, what could not and why, and who else could have done it");
   app.add_option("--log", arguments->log, "Write the event log here (docs/formats/event_log.md)")
       ->type_name("FILE.jsonl");
   app.add_option("--gantt", arguments->gantt, "Write the Gantt chart here")

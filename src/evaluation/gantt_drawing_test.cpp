@@ -1,6 +1,7 @@
 // The SVG and HTML of charts.
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <filesystem>
 #include <fstream>
@@ -170,7 +171,7 @@ TEST(GanttLabels, StandOnRoundTicks) {
 
 class GanttFile : public testing::Test {
  protected:
-  GanttFile() : folder_(testing::TempDir() + "linewright_gantt_file") {
+  GanttFile() : folder_(testing::TempDir() + "linewright_gantt_file_" + std::to_string(getpid())) {
     std::filesystem::remove_all(folder_);
   }
   ~GanttFile() override { std::filesystem::remove_all(folder_); }

@@ -32,6 +32,7 @@ class Bench {
     planner_ = configuration.make_planner
                    ? configuration.make_planner(simulator)
                    : PlannerRegistry::make(configuration.planner, simulator, context);
+    if (configuration.shield) shield_ = std::make_unique<Shield>(simulator);
   }
 
   TrialResult run(const RunOptions& crew, std::size_t trial) {
@@ -39,10 +40,17 @@ class Bench {
                                         RandomStream::derive(plan_.seed, "setup", trial).next());
     const std::uint64_t seed = RandomStream::derive(plan_.seed, "run", trial).next();
     std::vector<std::int64_t> decision_ns;
+    std::int64_t shield_ns = 0;
     run_episode(simulator_, state_, setup, seed, *planner_, *allocator_,
-                {.cancel = cancel_, .now_ns = plan_.now_ns, .decision_ns = &decision_ns});
+                {.cancel = cancel_,
+                 .now_ns = plan_.now_ns,
+                 .decision_ns = &decision_ns,
+                 .shield = shield_.get(),
+                 .shield_ns = &shield_ns});
     TrialResult result = measure(state_, simulator_.progress(state_));
     result.decision_ns = std::move(decision_ns);
+    result.shield_ns = shield_ns;
+    if (shield_) result.masked = shield_->statistics().fatal + shield_->statistics().unknown;
     return result;
   }
 
@@ -50,6 +58,7 @@ class Bench {
   const Simulator& simulator_;
   std::unique_ptr<Planner> planner_;
   std::unique_ptr<Allocator> allocator_;
+  std::unique_ptr<Shield> shield_;
   const TrialPlan& plan_;
   const CancelToken* cancel_;
   SimulationState state_;

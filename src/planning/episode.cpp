@@ -20,22 +20,89 @@ std::optional<Assignment> complete_decision(const SimulationState& state, const 
 
 }  // namespace
 
+namespace {
+
+/// Adds the time between its beginning and its end.
+class Stopwatch {
+ public:
+  Stopwatch(const EpisodeOptions& options, std::int64_t& sum)
+      : options_(options), sum_(sum), begun_(options.now_ns ? options.now_ns() : 0) {}
+  ~Stopwatch() {
+    if (options_.now_ns) sum_ += options_.now_ns() - begun_;
+  }
+  Stopwatch(const Stopwatch&) = delete;
+  Stopwatch& operator=(const Stopwatch&) = delete;
+
+ private:
+  const EpisodeOptions& options_;
+  std::int64_t& sum_;
+  std::int64_t begun_;
+};
+
+Shield::Verdict judge(const Simulator& simulator, const SimulationState& state,
+                      const Assignment& assignment, const EpisodeOptions& options) {
+  SimulationState after = state;
+  if (!simulator.assign(after, assignment))
+    throw std::logic_error("the planner chose somebody who cannot do the task");
+  return options.shield->judge(after);
+}
+
+bool waiting_is_safe(const Simulator& simulator, const SimulationState& state,
+                     const EpisodeOptions& options) {
+  SimulationState after = state;
+  return simulator.wait(after) && options.shield->judge(after) == Shield::Verdict::kSafe;
+}
+
+}  // namespace
+
+GuardedDecision guarded_decision(const Simulator& simulator, const SimulationState& state,
+                                 Planner& planner, Allocator& allocator,
+                                 const EpisodeOptions& options) {
+  GuardedDecision decision;
+  Choices choices = all_choices(simulator, state);
+  std::optional<Assignment> unsure;
+  std::int64_t planner_ns = 0;
+  std::int64_t shield_ns = 0;
+  while (!choices.tasks.empty()) {
+    {
+      const Stopwatch watch(options, planner_ns);
+      decision.assignment = complete_decision(state, choices, planner, allocator);
+    }
+    if (options.shield == nullptr || !decision.assignment) break;
+    const Stopwatch watch(options, shield_ns);
+    const Shield::Verdict verdict = judge(simulator, state, *decision.assignment, options);
+    if (verdict == Shield::Verdict::kSafe) break;
+    if (verdict == Shield::Verdict::kUnknown && !unsure) unsure = decision.assignment;
+    choices.tasks.erase(decision.assignment->task);
+    decision.masked.insert(decision.assignment->task);
+    decision.assignment.reset();
+  }
+  if (!decision.assignment && unsure && choices.tasks.empty()) {
+    const Stopwatch watch(options, shield_ns);
+    if (!waiting_is_safe(simulator, state, options)) {
+      decision.assignment = unsure;
+      decision.masked.erase(unsure->task);
+    }
+  }
+  if (options.now_ns && options.decision_ns != nullptr) options.decision_ns->push_back(planner_ns);
+  if (options.shield_ns != nullptr) *options.shield_ns += shield_ns;
+  return decision;
+}
+
 RunStatus run_episode(const Simulator& simulator, SimulationState& state, const RunSetup& setup,
                       std::uint64_t seed, Planner& planner, Allocator& allocator,
                       const EpisodeOptions& options) {
-  const bool timed = options.now_ns && options.decision_ns != nullptr;
   planner.reset(seed);
   allocator.reset(seed);
+  if (options.shield != nullptr) options.shield->reset();
   simulator.reset(state, setup, options.log);
   while (advance_and_join(simulator, state, allocator, options.log) == RunStatus::kDecision) {
     if (options.cancel != nullptr && options.cancel->requested()) return RunStatus::kRunning;
-    const std::int64_t begun = timed ? options.now_ns() : 0;
-    const Choices choices = all_choices(simulator, state);
-    const std::optional<Assignment> assignment =
-        complete_decision(state, choices, planner, allocator);
-    if (timed) options.decision_ns->push_back(options.now_ns() - begun);
-    if (assignment) {
-      if (!simulator.assign(state, *assignment, options.log)) {
+    const GuardedDecision decision =
+        guarded_decision(simulator, state, planner, allocator, options);
+    if (options.observe) options.observe(state, decision);
+    if (decision.assignment) {
+      if (!simulator.assign(state, *decision.assignment, options.log)) {
         throw std::logic_error("the planner chose somebody who cannot do the task");
       }
     } else if (!simulator.wait(state, options.log)) {

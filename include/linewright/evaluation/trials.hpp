@@ -19,6 +19,8 @@ namespace linewright {
 struct Configuration {
   std::string planner = "first";
   std::string allocator = "sap";
+  /// Decisions after which the order cannot be finished are ruled out (shield.hpp).
+  bool shield = false;
   /// Makes the planner where it has no name; then `planner` is only what it is called. Called once
   /// per thread.
   std::function<std::unique_ptr<Planner>(const Simulator&)> make_planner;
@@ -51,6 +53,8 @@ struct TrialResult {
   std::int64_t distance_ticks = 0;
   std::int32_t decisions = 0;
   std::vector<std::int64_t> decision_ns;  ///< what each decision took; empty without a clock
+  std::int64_t shield_ns = 0;             ///< all judging of a Shield; 0 without one or a clock
+  std::size_t masked = 0;                 ///< decisions that a Shield has ruled out
   std::vector<WorkerShares> workers;      ///< by WorkerId
   std::vector<double> machines;  ///< busy share (holding and recovery included), by machine
 };
