@@ -26,9 +26,8 @@ Case random_case(std::int32_t size, std::size_t percent, const Mover& mover, std
 }
 
 DuctHall duct_hall() {
-  const Scenario scenario =
-      load_scenario(LINEWRIGHT_SOURCE_DIR "/scenarios/duct_line_routed.yaml",
-                    {.route_cache = false, .threads = 1});
+  const Scenario scenario = load_scenario(LINEWRIGHT_SOURCE_DIR "/scenarios/duct_line_routed.yaml",
+                                          {.route_cache = false, .threads = 1});
   DuctHall hall;
   hall.grid = scenario.map->grid;
   hall.map = std::make_shared<const ClearanceMap>(*hall.grid);

@@ -6,9 +6,7 @@
 namespace linewright {
 namespace {
 
-bool is_zone_event(const SimulationState::Event& event) {
-  return kind_of(event) == kZoneEvent;
-}
+bool is_zone_event(const SimulationState::Event& event) { return kind_of(event) == kZoneEvent; }
 
 }  // namespace
 

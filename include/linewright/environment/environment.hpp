@@ -16,9 +16,9 @@ namespace linewright {
 /// Weights of the reward R = r_time + r_progress + r_goal (paper, eq. 12). The published runs used
 /// these values, but 0.001 for eta1.
 struct RewardOptions {
-  double eta1 = 0.01;   ///< paid per tick since the last decision, >= 0
-  double eta2 = 1.0;    ///< won when the order is finished, paid when the run ends without; >= 0
-  double eta3 = 0.2;    ///< won for the whole order, in shares as it is finished, >= 0
+  double eta1 = 0.01;  ///< paid per tick since the last decision, >= 0
+  double eta2 = 1.0;   ///< won when the order is finished, paid when the run ends without; >= 0
+  double eta3 = 0.2;   ///< won for the whole order, in shares as it is finished, >= 0
 };
 
 /// Pauses in which nobody decides, as on a floor where people are not always ready at once. What
