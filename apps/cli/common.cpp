@@ -136,10 +136,7 @@ void add_shield_option(CLI::App& app, RunArguments& arguments) {
   arguments.configuration.shield = true;
   app.add_option_function<std::string>(
          "--shield",
-         [&arguments](const std::string& value) {
-           arguments.shield = value;
-           arguments.configuration.shield = value == "on";
-         },
+         [&arguments](const std::string& value) { arguments.configuration.shield = value == "on"; },
          "Whether decisions after which the order cannot be finished are ruled out: on or off (as "
          "in the paper); default on")
       ->check(CLI::IsMember({"on", "off"}))

@@ -41,14 +41,13 @@ struct RunArguments {
   std::vector<std::string> close;  ///< "ZONE@TICK+TICKS"
   std::uint64_t seed = 1;
   Configuration configuration;
-  std::string shield = "on";  ///< with add_shield_option: "on" or "off"
   bool json = false;
 };
 
 void add_scenario_option(CLI::App& app, RunArguments& arguments);
 void add_run_options(CLI::App& app, RunArguments& arguments);
 void add_configuration_options(CLI::App& app, RunArguments& arguments);
-/// Sets Configuration::shield, too, once the command line has been parsed.
+/// Sets Configuration::shield: on unless told otherwise.
 void add_shield_option(CLI::App& app, RunArguments& arguments);
 void add_close_option(CLI::App& app, RunArguments& arguments);
 

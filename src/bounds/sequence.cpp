@@ -146,21 +146,7 @@ class Search {
       if (units[job] >= lags_.columns()) return true;  // no longer counted
       sum += std::int64_t{coefficient} * units[job];
     }
-    switch (condition.relation) {
-      case Relation::kEqual:
-        return sum == 0;
-      case Relation::kNotEqual:
-        return sum != 0;
-      case Relation::kLess:
-        return sum < 0;
-      case Relation::kLessEqual:
-        return sum <= 0;
-      case Relation::kGreater:
-        return sum > 0;
-      case Relation::kGreaterEqual:
-        return sum >= 0;
-    }
-    return true;
+    return relation_holds(sum, condition.relation);
   }
 
   void extend(std::size_t number, const Key& key, const Label& label) {

@@ -165,8 +165,8 @@ TEST(Training, GivesTheSameBytesForAnyNumberOfThreads) {
     const Folder one(std::string("one_thread_") + algorithm);
     const Folder three(std::string("three_threads_") + algorithm);
     // Batches of two whole slices and a part of one.
-    TrainingOptions options =
-        toy_options(algorithm, {"optimizer.updates=60", "optimizer.batch=80", "ppo.minibatch=80"});
+    TrainingOptions options = toy_options(
+        algorithm, {"optimizer.updates=60", "optimizer.batch=160", "ppo.minibatch=160"});
     for (const Folder* folder : {&one, &three}) {
       options.run.threads = folder == &one ? 1 : 3;
       ASSERT_TRUE(

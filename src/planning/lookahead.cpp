@@ -5,12 +5,9 @@
 #include <utility>
 #include <vector>
 
-#include "future.hpp"
 #include "linewright/base/diagnostic.hpp"
-#include "linewright/base/random.hpp"
 #include "linewright/base/worker_pool.hpp"
-#include "local_search.hpp"
-#include "simple_planners.hpp"
+#include "search_chain.hpp"
 
 namespace linewright {
 namespace {
@@ -18,28 +15,10 @@ namespace {
 using planning::Cost;
 using planning::Future;
 using planning::FuturePlayer;
+using planning::kChainsOfRollouts;
 using planning::kWorst;
-using planning::LocalSearch;
+using planning::SearchChain;
 using planning::Wish;
-
-constexpr std::size_t kChainsOfRollouts = 4;
-
-/// One search, and what it needs of its own so that it can run beside the others.
-struct Chain {
-  Chain(const Simulator& simulator, const LookaheadOptions& options, const PlannerContext& context,
-        std::function<bool()> give_up)
-      : base(planning::base_planner(options.base, simulator, context)),
-        player(
-            simulator,
-            {.allocator = context.allocator, .wait = options.wait, .give_up = std::move(give_up)}),
-        search(player, *base, {.free_agents = options.free_agents}),
-        random(0) {}
-
-  std::unique_ptr<Planner> base;
-  FuturePlayer player;
-  LocalSearch search;
-  RandomStream random;
-};
 
 class LookaheadPlanner final : public Planner {
  public:
@@ -47,8 +26,9 @@ class LookaheadPlanner final : public Planner {
                    const PlannerContext& context)
       : options_(options), context_(context), pool_(options.threads) {
     for (std::size_t c = 0; c < options.chains; ++c) {
-      chains_.push_back(
-          std::make_unique<Chain>(simulator, options, context, [this] { return out_of_time(); }));
+      chains_.push_back(std::make_unique<SearchChain>(
+          simulator, SearchChain::Options{options.base, options.free_agents, options.wait}, context,
+          [this] { return out_of_time(); }));
     }
     if (!options.base.empty()) return;
     seeds_ = planning::simple_planners(simulator, context);
@@ -132,7 +112,7 @@ class LookaheadPlanner final : public Planner {
     }
   }
 
-  bool spend(Chain& chain, std::size_t rollouts) const {
+  bool spend(SearchChain& chain, std::size_t rollouts) const {
     for (std::size_t r = 0; r < rollouts; ++r) {
       if (out_of_time()) return false;
       if (!chain.search.step(chain.random)) return false;
@@ -163,7 +143,7 @@ class LookaheadPlanner final : public Planner {
   LookaheadOptions options_;
   PlannerContext context_;
   WorkerPool pool_;
-  std::vector<std::unique_ptr<Chain>> chains_;
+  std::vector<std::unique_ptr<SearchChain>> chains_;
   std::vector<std::unique_ptr<Planner>> seeds_;
   std::uint64_t seed_ = 0;
   std::uint64_t decisions_ = 0;

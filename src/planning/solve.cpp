@@ -5,13 +5,11 @@
 #include <memory>
 #include <utility>
 
-#include "future.hpp"
 #include "linewright/allocation/allocator.hpp"
 #include "linewright/base/diagnostic.hpp"
 #include "linewright/base/random.hpp"
 #include "linewright/base/worker_pool.hpp"
-#include "local_search.hpp"
-#include "simple_planners.hpp"
+#include "search_chain.hpp"
 
 namespace linewright {
 namespace {
@@ -19,12 +17,12 @@ namespace {
 using planning::Cost;
 using planning::Future;
 using planning::FuturePlayer;
+using planning::kChainsOfRollouts;
 using planning::kUnfinished;
 using planning::kWorst;
-using planning::LocalSearch;
+using planning::SearchChain;
 using planning::Wish;
 
-constexpr std::size_t kChainsOfRollouts = 4;
 // Rounds of annealing: each is longer than the one before, so that short budgets end cold as well.
 constexpr std::size_t kFirstRound = 1'000;
 constexpr std::size_t kLongestRound = 64'000;
@@ -32,20 +30,10 @@ constexpr std::size_t kLongestRound = 64'000;
 constexpr double kHot = 25.0;
 constexpr double kCold = 1.0;
 
-struct Chain {
-  Chain(const Simulator& simulator, const SolveOptions& options, const PlannerContext& context,
-        std::function<bool()> give_up)
-      : base(planning::base_planner("", simulator, context)),
-        player(
-            simulator,
-            {.allocator = context.allocator, .wait = options.wait, .give_up = std::move(give_up)}),
-        search(player, *base, {.free_agents = options.free_agents}),
-        random(0) {}
+/// A chain that goes on in rounds.
+struct Chain : SearchChain {
+  using SearchChain::SearchChain;
 
-  std::unique_ptr<Planner> base;
-  FuturePlayer player;
-  LocalSearch search;
-  RandomStream random;
   Future home;  ///< what its next round begins with
   std::size_t played = 0;
 };
@@ -60,8 +48,9 @@ class Solver {
     std::size_t chains = options.chains;
     if (chains == 0) chains = options.rollouts > 0 ? kChainsOfRollouts : pool_->size();
     for (std::size_t c = 0; c < chains; ++c) {
-      chains_.push_back(
-          std::make_unique<Chain>(simulator, options, context, [this] { return out_of_time(); }));
+      chains_.push_back(std::make_unique<Chain>(
+          simulator, SearchChain::Options{{}, options.free_agents, options.wait}, context,
+          [this] { return out_of_time(); }));
       chains_[c]->random = RandomStream::derive(options.seed, "solve", c);
     }
     if (options.budget_ns > 0) begun_ = context.now_ns();

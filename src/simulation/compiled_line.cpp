@@ -11,24 +11,6 @@
 namespace linewright {
 namespace {
 
-bool relation_holds(std::int64_t sum, Relation relation) {
-  switch (relation) {
-    case Relation::kEqual:
-      return sum == 0;
-    case Relation::kNotEqual:
-      return sum != 0;
-    case Relation::kLess:
-      return sum < 0;
-    case Relation::kLessEqual:
-      return sum <= 0;
-    case Relation::kGreater:
-      return sum > 0;
-    case Relation::kGreaterEqual:
-      return sum >= 0;
-  }
-  return false;
-}
-
 bool holds(const CompiledCondition::Comparison& comparison,
            const std::vector<std::int32_t>& values) {
   std::int64_t sum = comparison.constant;

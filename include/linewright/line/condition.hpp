@@ -50,6 +50,25 @@ enum class Relation : std::uint8_t {
   kGreaterEqual
 };
 
+/// sum  RELATION  0.
+[[nodiscard]] inline bool relation_holds(std::int64_t sum, Relation relation) {
+  switch (relation) {
+    case Relation::kEqual:
+      return sum == 0;
+    case Relation::kNotEqual:
+      return sum != 0;
+    case Relation::kLess:
+      return sum < 0;
+    case Relation::kLessEqual:
+      return sum <= 0;
+    case Relation::kGreater:
+      return sum > 0;
+    case Relation::kGreaterEqual:
+      return sum >= 0;
+  }
+  return false;
+}
+
 /// sum(terms) + constant  RELATION  0.
 struct Comparison {
   std::vector<Term> terms;
