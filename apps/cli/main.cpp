@@ -10,6 +10,7 @@
 
 #include "common.hpp"
 #include "linewright/base/diagnostic.hpp"
+#include "linewright_commit.hpp"
 
 namespace {
 
@@ -68,7 +69,7 @@ int main(int argc, char** argv) {
       "Plans, allocates and simulates production lines of people, robots and machines.\n"
       "Start with: linewright simulate scenarios/duct_line.yaml --humans 2 --robots 2");
   app.name("linewright");
-  app.set_version_flag("--version", std::string("linewright ") + LINEWRIGHT_VERSION);
+  app.set_version_flag("--version", "linewright " LINEWRIGHT_VERSION " (" LINEWRIGHT_COMMIT ")");
   app.require_subcommand(1);
   app.footer(
       "Exit codes: 0 done, 1 check --strict found something, 2 bad input, 3 internal error, "

@@ -12,6 +12,7 @@
 #include "linewright/learning/runtime.hpp"
 #include "linewright/learning/trainer.hpp"
 #include "linewright/scenario/load.hpp"
+#include "linewright_commit.hpp"
 
 namespace linewright::trainer {
 namespace {
@@ -122,7 +123,7 @@ int train_one(const TrainArguments& arguments, const TrainingOptions& options,
                   .seed = seed,
                   .folder = arguments.out + "/" + name,
                   .resume = arguments.resume,
-                  .metadata = {{"version", LINEWRIGHT_VERSION}}};
+                  .metadata = {{"version", LINEWRIGHT_VERSION}, {"commit", LINEWRIGHT_COMMIT}}};
   const FolderLock lock(run.folder);
   const TrainingResult result =
       train(run, {.progress = [&](const TrainingStatus& status) { display.update(status); },
