@@ -9,6 +9,7 @@
 #include <system_error>
 
 #include "linewright/base/diagnostic.hpp"
+#include "log_explanations.hpp"
 #include "log_ways.hpp"
 
 namespace linewright {
@@ -92,7 +93,8 @@ Json hall(const HallMap& map) {
 /// Turns the numbers of a log into names.
 class Writer {
  public:
-  Writer(const Scenario& scenario, const EventLog& log, double progress)
+  Writer(const Scenario& scenario, const EventLog& log, double progress,
+         const std::vector<DecisionExplanation>& explanations)
       : scenario_(scenario),
         line_(scenario.line),
         log_(log),
@@ -101,6 +103,9 @@ class Writer {
         carriers_(carrier_names(line_, log.setup)) {
     for (std::size_t k = 0; k < log.setup.worker_start.size(); ++k) {
       worker_kind_.insert(worker_kind_.end(), log.setup.worker_start[k].size(), k);
+    }
+    for (const DecisionExplanation& explanation : explanations) {
+      if (explanation.assignment) explanations_.push_back(&explanation);
     }
   }
 
@@ -269,6 +274,10 @@ class Writer {
       const auto member = static_cast<std::size_t>(event.members[slot]);
       role.push_back(crew[slot].worker ? workers_[member] : carriers_[member]);
     }
+    const std::size_t number = index(event.b - 1);
+    if (number < explanations_.size()) {
+      out["why"] = event_log::explanation_json(line_, workers_, *explanations_[number]);
+    }
   }
 
   void go(Json& out, const LogEvent& event) const {
@@ -304,6 +313,7 @@ class Writer {
   std::vector<std::string> workers_;
   std::vector<std::string> carriers_;
   std::vector<std::size_t> worker_kind_;
+  std::vector<const DecisionExplanation*> explanations_;  ///< by decision, or empty
   std::string text_;
 };
 
@@ -337,8 +347,9 @@ std::vector<std::string> carrier_names(const LineModel& line, const RunSetup& se
   return numbered(kinds, setup.carrier_start);
 }
 
-std::string event_log_text(const Scenario& scenario, const EventLog& log, double progress) {
-  return Writer(scenario, log, progress).text();
+std::string event_log_text(const Scenario& scenario, const EventLog& log, double progress,
+                           const std::vector<DecisionExplanation>& explanations) {
+  return Writer(scenario, log, progress, explanations).text();
 }
 
 }  // namespace linewright

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "linewright/planning/explain.hpp"
 #include "linewright/scenario/scenario.hpp"
 #include "linewright/simulation/event_log.hpp"
 
@@ -18,8 +19,10 @@ namespace linewright {
 [[nodiscard]] std::vector<std::string> carrier_names(const LineModel& line, const RunSetup& setup);
 
 /// The log in its written form, docs/formats/event_log.md. Equal logs give equal bytes. `progress`
-/// is that of the final state.
+/// is that of the final state. `explanations`, of all decisions in their order or empty, are
+/// written into them; those that wait are left out, as the log has no event for waiting.
 [[nodiscard]] std::string event_log_text(const Scenario& scenario, const EventLog& log,
-                                         double progress);
+                                         double progress,
+                                         const std::vector<DecisionExplanation>& explanations = {});
 
 }  // namespace linewright
