@@ -31,13 +31,6 @@ struct Report {
   std::vector<Bound> bounds;
 };
 
-std::string crew_of(const LineModel& line, const RunSetup& setup) {
-  std::vector<std::int32_t> counts;
-  for (const auto& starts : setup.worker_start)
-    counts.push_back(static_cast<std::int32_t>(starts.size()));
-  return crew_name(line, counts);
-}
-
 /// The setup and the makespan of a recorded run.
 std::pair<RunSetup, std::optional<Tick>> recorded(const BoundArguments& arguments,
                                                   const LineModel& line) {
@@ -64,13 +57,14 @@ std::vector<Report> reports_of(BoundArguments& arguments, const LineModel& line)
     }
     auto [setup, makespan] = recorded(arguments, line);
     arguments.makespan = makespan;
-    reports.push_back({.crew = crew_of(line, setup), .setup = std::move(setup)});
+    reports.push_back({.crew = crew_name(line, setup), .setup = std::move(setup)});
   } else {
     for (const RunOptions& crew : crews_of(arguments.run, line, false)) {
       for (std::size_t s = 0; s < arguments.starts; ++s) {
         const std::uint64_t seed = arguments.run.seed + s;
         RunSetup setup = sample_setup(line, crew, seed);
-        reports.push_back({.crew = crew_of(line, setup), .seed = seed, .setup = std::move(setup)});
+        reports.push_back(
+            {.crew = crew_name(line, setup), .seed = seed, .setup = std::move(setup)});
       }
     }
   }

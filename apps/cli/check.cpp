@@ -41,10 +41,7 @@ CrewFindings examine(const Simulator& simulator, const RunOptions& crew,
                      const CheckArguments& arguments) {
   CrewFindings findings;
   const RunSetup setup = sample_setup(simulator.line(), crew, arguments.run.seed);
-  std::vector<std::int32_t> counts;
-  for (const auto& start : setup.worker_start)
-    counts.push_back(static_cast<std::int32_t>(start.size()));
-  findings.crew = crew_name(simulator.line(), counts);
+  findings.crew = crew_name(simulator.line(), setup);
   SimulationState state;
   simulator.reset(state, setup);
   findings.start = can_finish(simulator, state, arguments.options, &interrupted());

@@ -4,7 +4,6 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <cctype>
 #include <charconv>
 #include <chrono>
 #include <cstdio>
@@ -232,16 +231,6 @@ PlannerContext planner_context(const Scenario& scenario, const std::string& allo
           .scenario_file = scenario.file,
           .scenario_hash = scenario.content_hash,
           .cancel = &interrupted()};
-}
-
-std::string crew_name(const LineModel& line, const std::vector<std::int32_t>& counts) {
-  std::string name;
-  for (std::size_t k = 0; k < counts.size(); ++k) {
-    const std::string& kind = line.worker_kinds[k].name;
-    name += fmt::format(
-        "{}{}", static_cast<char>(std::toupper(static_cast<unsigned char>(kind[0]))), counts[k]);
-  }
-  return name;
 }
 
 void print(const std::string& text) {

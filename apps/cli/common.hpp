@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "linewright/base/cancel.hpp"
+#include "linewright/evaluation/crews.hpp"
 #include "linewright/evaluation/trials.hpp"
 #include "linewright/planning/planner.hpp"
 #include "linewright/scenario/scenario.hpp"
@@ -80,9 +81,6 @@ void add_close_option(CLI::App& app, RunArguments& arguments);
 [[nodiscard]] PlannerContext planner_context(const Scenario& scenario,
                                              const std::string& allocator);
 
-/// "H2R2"-like name of a crew: initials and counts.
-[[nodiscard]] std::string crew_name(const LineModel& line, const std::vector<std::int32_t>& counts);
-
 /// Prints results to standard output; a closed pipe is not an error.
 void print(const std::string& text);
 
@@ -122,6 +120,7 @@ Command add_schema(CLI::App& app);
 Command add_train(CLI::App& app);
 Command add_tune_priority(CLI::App& app);
 Command add_solve(CLI::App& app);
+Command add_reproduce(CLI::App& app);
 
 /// Becomes the trainer, a program of its own because LibTorch costs 0.4 s at every start.
 /// `arguments`: those of the command line from the word `train` on. Throws ScenarioError when there

@@ -1,8 +1,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <string_view>
 
 #include "common.hpp"
 #include "evaluation.hpp"
@@ -13,6 +15,7 @@
 namespace linewright::cli {
 namespace {
 
+namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
 struct EvaluateArguments {
@@ -34,38 +37,72 @@ Configuration parse_versus(const std::string& text, const Configuration& base) {
   return configuration;
 }
 
+/// A planner that is asked for, and the folder that named it: "policy:FOLDER", or empty.
+struct AskedPlanner {
+  std::string name;
+  std::string folder;
+};
+
+/// "policy:FOLDER" is every policy of the folder, by name; everything else is itself.
+std::vector<AskedPlanner> files_of(const std::string& planner) {
+  constexpr std::string_view kPolicy = "policy:";
+  if (!planner.starts_with(kPolicy) || !fs::is_directory(planner.substr(kPolicy.size()))) {
+    return {{planner, ""}};
+  }
+  std::vector<AskedPlanner> policies;
+  for (const fs::directory_entry& entry : fs::directory_iterator(planner.substr(kPolicy.size()))) {
+    if (entry.path().extension() != ".safetensors") continue;
+    policies.push_back({std::string(kPolicy) + entry.path().string(), planner});
+  }
+  if (policies.empty()) {
+    throw ScenarioError({}, fmt::format("--planner: '{}' has no policy", planner),
+                        "name a file, or a folder with one *.safetensors per training seed");
+  }
+  std::sort(policies.begin(), policies.end(),
+            [](const AskedPlanner& a, const AskedPlanner& b) { return a.name < b.name; });
+  return policies;
+}
+
 /// The planners that the options name, each once; `first` by default.
-std::vector<std::string> planners_of(const EvaluateArguments& arguments) {
-  std::vector<std::string> all;
+std::vector<AskedPlanner> planners_of(const EvaluateArguments& arguments) {
+  std::vector<AskedPlanner> all;
   for (const std::string& list : arguments.planners) {
     for (const std::string& planner : split_planners(list)) {
       if (planner == "replay") {
         throw ScenarioError({}, "planner 'replay' is only for simulate",
                             "use simulate --planner replay --decisions FILE");
       }
-      if (std::find(all.begin(), all.end(), planner) != all.end()) {
-        throw ScenarioError({}, fmt::format("--planner: '{}' is listed twice", planner),
-                            "list each planner once");
+      for (AskedPlanner& asked : files_of(planner)) {
+        if (std::any_of(all.begin(), all.end(),
+                        [&](const AskedPlanner& other) { return other.name == asked.name; })) {
+          throw ScenarioError({}, fmt::format("--planner: '{}' is listed twice", asked.name),
+                              "list each planner once");
+        }
+        all.push_back(std::move(asked));
       }
-      all.push_back(planner);
     }
   }
-  if (all.empty()) all.push_back(arguments.run.configuration.planner);
+  if (all.empty()) all.push_back({arguments.run.configuration.planner, ""});
   return all;
 }
+
+struct Asked {
+  Configuration configuration;
+  std::string folder;  ///< of its planner
+};
 
 /// What is to be evaluated: every planner with every allocator, or two with --versus. Throws
 /// ScenarioError for names that are unknown or listed twice: before the first run, which may take
 /// long.
-std::vector<Configuration> configurations_of(const EvaluateArguments& arguments) {
-  const std::vector<std::string> planners = planners_of(arguments);
+std::vector<Asked> configurations_of(const EvaluateArguments& arguments) {
+  const std::vector<AskedPlanner> planners = planners_of(arguments);
   const std::vector<std::string> allocators = allocators_of(arguments.run.configuration.allocator);
-  std::vector<Configuration> configurations;
-  for (const std::string& planner : planners) {
+  std::vector<Asked> configurations;
+  for (const AskedPlanner& planner : planners) {
     for (const std::string& allocator : allocators) {
-      configurations.push_back(arguments.run.configuration);
-      configurations.back().planner = planner;
-      configurations.back().allocator = allocator;
+      configurations.push_back({arguments.run.configuration, planner.folder});
+      configurations.back().configuration.planner = planner.name;
+      configurations.back().configuration.allocator = allocator;
     }
   }
   if (arguments.versus.empty()) return configurations;
@@ -76,14 +113,14 @@ std::vector<Configuration> configurations_of(const EvaluateArguments& arguments)
   };
   if (planners.size() > 1) refuse_list("--planner", planners.size());
   if (allocators.size() > 1) refuse_list("--allocator", allocators.size());
-  configurations.push_back(parse_versus(arguments.versus, configurations[0]));
+  configurations.push_back({parse_versus(arguments.versus, configurations[0].configuration), ""});
   return configurations;
 }
 
 /// A planner that cannot be made is an error before the first run.
-void try_planners(const Scenario& scenario, const std::vector<Configuration>& configurations) {
+void try_planners(const Scenario& scenario, const std::vector<Asked>& configurations) {
   const Simulator simulator(std::make_shared<const LineModel>(scenario.line));
-  for (const Configuration& configuration : configurations) {
+  for (const auto& [configuration, folder] : configurations) {
     static_cast<void>(PlannerRegistry::make(configuration.planner, simulator,
                                             planner_context(scenario, configuration.allocator)));
   }
@@ -124,15 +161,17 @@ void show_several(const EvaluateArguments& arguments, const LineModel& line,
                   const std::vector<Evaluation>& evaluations, bool planners) {
   if (arguments.run.json) {
     Json object = Json::object();
-    if (!planners) object["planner"] = configurations_of(arguments)[0].planner;
+    if (!planners) object["planner"] = configurations_of(arguments)[0].configuration.planner;
     add_plan(arguments, line, object);
     object.update(planners && !evaluations.empty() ? planners_json(line, evaluations)
                                                    : allocators_json(line, evaluations));
+    if (!seed_groups(evaluations).empty()) object["seeds"] = seeds_json(line, evaluations);
     print(object.dump(2) + "\n");
     return;
   }
   if (evaluations.empty()) return;
   print(planners ? planners_text(line, evaluations) : allocators_text(line, evaluations));
+  print(seeds_text(line, evaluations));
   for (const Evaluation& evaluation : evaluations) {
     if (!arguments.utilisation) break;
     print(fmt::format("\n{}\n", name_of(evaluation.configuration)) +
@@ -141,7 +180,7 @@ void show_several(const EvaluateArguments& arguments, const LineModel& line,
 }
 
 int evaluate(const EvaluateArguments& arguments) {
-  const std::vector<Configuration> configurations = configurations_of(arguments);
+  const std::vector<Asked> configurations = configurations_of(arguments);
   const Scenario scenario = load(arguments.run.scenario);
   const LineModel& line = scenario.line;
   try_planners(scenario, configurations);
@@ -151,9 +190,10 @@ int evaluate(const EvaluateArguments& arguments) {
                        .threads = arguments.threads,
                        .now_ns = clock_ns};
   std::vector<Evaluation> evaluations;
-  for (const Configuration& configuration : configurations) {
-    if (!interrupted().requested())
-      evaluations.push_back(evaluate_one(scenario, configuration, plan));
+  for (const auto& [configuration, folder] : configurations) {
+    if (interrupted().requested()) break;
+    evaluations.push_back(evaluate_one(scenario, configuration, plan));
+    evaluations.back().folder = folder;
   }
   const bool several = configurations.size() > 1 && arguments.versus.empty();
   if (several) {
@@ -193,8 +233,11 @@ Command add_evaluate(CLI::App& app) {
       ->type_name("NAME,...");
   const std::string who = app.get_option("--planner")->get_description();
   app.remove_option(app.get_option("--planner"));
-  app.add_option("--planner", arguments->planners,
-                 who + "; several with commas, or the option again, are compared (default: first)")
+  app.add_option(
+         "--planner", arguments->planners,
+         who +
+             "; several with commas, or the option again, are compared, and of policy:FOLDER "
+             "all policies, as training seeds of one algorithm (default: first)")
       ->type_name("NAME,...")
       ->allow_extra_args(false);
   add_shield_option(app, arguments->run);

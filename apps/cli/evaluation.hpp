@@ -1,9 +1,11 @@
 #pragma once
 
+#include <functional>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
+#include "linewright/evaluation/statistics.hpp"
 #include "linewright/evaluation/trials.hpp"
 #include "linewright/line/line_model.hpp"
 #include "linewright/scenario/scenario.hpp"
@@ -14,6 +16,7 @@ namespace linewright::cli {
 /// Results of one configuration: by crew, and the means over the crews.
 struct Evaluation {
   Configuration configuration;
+  std::string folder;  ///< "policy:FOLDER" where that named the policy; else empty
   std::vector<std::vector<TrialResult>> trials;
   std::vector<TrialSummary> rows;
 
@@ -80,6 +83,26 @@ struct ShieldTotals {
 /// difference to the first, and how long decisions took.
 [[nodiscard]] std::string planners_text(const LineModel& line,
                                         const std::vector<Evaluation>& evaluations);
+
+/// Evaluations of the policies of one folder with one allocator: an algorithm's training seeds.
+struct SeedGroup {
+  std::string folder;  ///< "policy:FOLDER"
+  std::string allocator;
+  std::vector<const Evaluation*> seeds;
+
+  /// Mean and interval over the seeds of a value of each.
+  [[nodiscard]] Spread over_seeds(const std::function<double(const Evaluation&)>& value) const;
+};
+
+/// In their order; those that no folder named are left out.
+[[nodiscard]] std::vector<SeedGroup> seed_groups(const std::vector<Evaluation>& evaluations);
+
+/// A table with a row per group: makespan by crew, each with the 95 % interval over the training
+/// seeds, and how the means differ from the first group's (Welch); empty without groups.
+[[nodiscard]] std::string seeds_text(const LineModel& line,
+                                     const std::vector<Evaluation>& evaluations);
+[[nodiscard]] nlohmann::ordered_json seeds_json(const LineModel& line,
+                                                const std::vector<Evaluation>& evaluations);
 
 /// How long decisions took, over all crews and trials; zeros without any.
 struct Latency {

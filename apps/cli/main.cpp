@@ -85,12 +85,13 @@ int main(int argc, char** argv) {
       {"bound", "How fast an order can be made at best, whoever plans: lower bounds"},
       {"schema", "Print the JSON Schema of scenario files"},
       {"train", "Train a policy for a line (needs LibTorch)"},
+      {"reproduce", "Run experiments and write their tables: `reproduce paper`"},
       {"solve", "Search for the best schedule from one start, off-line"},
       {"tune-priority", "Find the best fixed order of the tasks (planner priority:tuned)"}};
   linewright::cli::Command (*const add[])(CLI::App&) = {
-      cli::add_simulate, cli::add_evaluate, cli::add_check, cli::add_gantt,
-      cli::add_map,      cli::add_routes,   cli::add_bench, cli::add_bound,
-      cli::add_schema,   cli::add_train,    cli::add_solve, cli::add_tune_priority};
+      cli::add_simulate,  cli::add_evaluate, cli::add_check,        cli::add_gantt,  cli::add_map,
+      cli::add_routes,    cli::add_bench,    cli::add_bound,        cli::add_schema, cli::add_train,
+      cli::add_reproduce, cli::add_solve,    cli::add_tune_priority};
   std::vector<std::pair<CLI::App*, cli::Command>> commands;
   for (std::size_t i = 0; i < subcommands.size(); ++i) {
     CLI::App* sub = app.add_subcommand(subcommands[i].first, subcommands[i].second);

@@ -179,11 +179,7 @@ int solve_command(const SolveArguments& arguments) {
       const std::uint64_t seed = arguments.run.seed + s;
       const RunSetup setup = sample_setup(scenario.line, crew, seed);
       all.push_back(solve_one(simulator, setup, options_of(arguments, seed), context));
-      std::vector<std::int32_t> counts;
-      for (const auto& kind : setup.worker_start) {
-        counts.push_back(static_cast<std::int32_t>(kind.size()));
-      }
-      all.back().crew = crew_name(scenario.line, counts);
+      all.back().crew = crew_name(scenario.line, setup);
     }
   }
   if (all.size() == 1) write_outputs(arguments, scenario, all[0]);

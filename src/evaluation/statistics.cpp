@@ -34,4 +34,17 @@ Spread spread_of(const std::vector<double>& values) {
   return spread;
 }
 
+MeanDifference welch_difference(const Spread& first, const Spread& second) {
+  MeanDifference difference{.mean = second.mean - first.mean};
+  if (first.count < 2 || second.count < 2) return difference;
+  const double n1 = static_cast<double>(first.count);
+  const double n2 = static_cast<double>(second.count);
+  const double v1 = first.sd * first.sd / n1;
+  const double v2 = second.sd * second.sd / n2;
+  if (v1 + v2 == 0.0) return difference;
+  const double degrees = (v1 + v2) * (v1 + v2) / (v1 * v1 / (n1 - 1.0) + v2 * v2 / (n2 - 1.0));
+  difference.ci95 = student_t_975(static_cast<std::size_t>(degrees)) * std::sqrt(v1 + v2);
+  return difference;
+}
+
 }  // namespace linewright

@@ -7,6 +7,7 @@
 
 #include "linewright/base/diagnostic.hpp"
 #include "linewright/base/files.hpp"
+#include "linewright/evaluation/crews.hpp"
 #include "linewright/evaluation/trials.hpp"
 #include "linewright/planning/policy_planner.hpp"
 
@@ -23,17 +24,6 @@ EpisodePlan plan_of(const TrainingRun& run) {
                        ? EpisodePlan::Order::kInTurn
                        : EpisodePlan::Order::kSampled,
           .seed = RandomStream::derive(run.seed, "training").next()};
-}
-
-/// "H1R2": the initials and counts of a crew.
-std::string crew_name(const LineModel& line, const RunOptions& crew) {
-  std::string name;
-  for (std::size_t k = 0; k < line.worker_kinds.size(); ++k) {
-    const char initial = line.worker_kinds[k].name.front();
-    name += static_cast<char>(initial >= 'a' && initial <= 'z' ? initial - 'a' + 'A' : initial);
-    name += std::to_string(crew.workers[k].value_or(0));
-  }
-  return name;
 }
 
 }  // namespace

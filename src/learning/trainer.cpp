@@ -8,6 +8,7 @@
 
 #include "dqn_trainer.hpp"
 #include "linewright/base/diagnostic.hpp"
+#include "linewright/evaluation/crews.hpp"
 #include "linewright/evaluation/trials.hpp"
 #include "ppo_trainer.hpp"
 
@@ -42,21 +43,6 @@ std::optional<Tick> horizon_in_proportion(const Scenario& scenario, const RunOpt
   for (const Tick makespan : makespans) sum += makespan;
   const double ticks = std::ceil(factor * sum / static_cast<double>(makespans.size()));
   return static_cast<Tick>(std::min<double>(ticks, scenario_horizon(scenario.line, crew)));
-}
-
-std::vector<RunOptions> all_crews(const LineModel& line) {
-  std::vector<RunOptions> crews(1);
-  for (const WorkerKind& kind : line.worker_kinds) {
-    std::vector<RunOptions> more;
-    for (const RunOptions& crew : crews) {
-      for (std::int32_t count = kind.count.min; count <= kind.count.max; ++count) {
-        more.push_back(crew);
-        more.back().workers.emplace_back(count);
-      }
-    }
-    crews = std::move(more);
-  }
-  return crews;
 }
 
 /// The shortest of some runs without a limit, by rule and at random; none finished: 0.

@@ -1,0 +1,70 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "linewright/evaluation/statistics.hpp"
+#include "linewright/experiments/cell.hpp"
+#include "linewright/experiments/experiment.hpp"
+#include "linewright/experiments/paper.hpp"
+
+namespace linewright {
+
+/// The results of one row: [training seed][order]; planners that are not trained have one "seed".
+using RowResults = std::vector<std::vector<CellResult>>;
+
+/// One number of a table.
+struct TableValue {
+  double mean = 0.0;
+  /// Half-width of the 95 % interval (Student's t): over training seeds where there are several,
+  /// else over the start positions; none: one number only.
+  std::optional<double> ci95;
+  std::optional<double> paper;  ///< the same figure in the paper
+
+  /// Ours divided by the paper's; none without one, or where that is 0.
+  [[nodiscard]] std::optional<double> ratio() const;
+};
+
+struct TableRow {
+  std::string name;
+  std::size_t seeds = 1;           ///< training seeds
+  std::vector<TableValue> values;  ///< by column
+};
+
+/// One metric of an experiment.
+struct ResultTable {
+  Metric metric = Metric::kMakespan;
+  std::vector<std::string> columns;  ///< crews and "mean", or orders
+  std::vector<TableRow> rows;
+};
+
+/// How our runs judge a claim: the difference of the means of the two rows over all columns.
+struct JudgedClaim {
+  enum class Verdict : std::uint8_t {
+    kHolds,     ///< the whole 95 % interval of the difference is on the claimed side
+    kContrary,  ///< ... on the other side
+    kOpen,      ///< the interval holds zero, or there is none
+  };
+  Claim claim;
+  MeanDifference difference;  ///< `lower` minus `than`: claimed to be negative
+  Verdict verdict = Verdict::kOpen;
+};
+
+/// "holds", "contrary" or "open".
+[[nodiscard]] const char* name_of(JudgedClaim::Verdict verdict);
+
+/// Everything that one experiment shows.
+struct ExperimentResult {
+  Experiment experiment;
+  std::vector<ResultTable> tables;  ///< one per metric
+  std::vector<JudgedClaim> claims;
+};
+
+/// Puts the results of all rows together. `results`: by row; each seed with as many orders as the
+/// experiment has and the same crews and trials. With `paper` its figures stand beside.
+[[nodiscard]] ExperimentResult make_tables(const Experiment& experiment,
+                                           const std::vector<RowResults>& results,
+                                           const PaperTables* paper = nullptr);
+
+}  // namespace linewright

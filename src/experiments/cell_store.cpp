@@ -1,0 +1,84 @@
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "linewright/base/diagnostic.hpp"
+#include "linewright/base/files.hpp"
+#include "linewright/experiments/cell.hpp"
+
+namespace linewright {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr const char* kFormat = "linewright/cell/1";
+constexpr std::size_t kMostBytes = std::size_t{1} << 28U;
+
+Json to_json(const std::string& key, const ExperimentCell& cell, const CellResult& result) {
+  Json object{
+      {"format", kFormat},       {"key", key},
+      {"planner", cell.planner}, {"allocator", cell.allocator},
+      {"order", cell.order},     {"horizon", cell.horizon ? Json(*cell.horizon) : Json("scenario")},
+      {"trials", cell.trials},   {"seed", cell.seed},
+      {"shield", cell.shield},   {"wall_s", result.wall_s},
+      {"crews", Json::array()}};
+  for (const CellResult::Crew& crew : result.crews) {
+    object["crews"].push_back({{"crew", crew.name},
+                               {"makespan", crew.makespan},
+                               {"finished", crew.finished},
+                               {"progress", crew.progress},
+                               {"distance_m", crew.distance_m}});
+  }
+  return object;
+}
+
+CellResult from_json(const Json& object) {
+  CellResult result{.wall_s = object.at("wall_s").get<double>()};
+  for (const Json& entry : object.at("crews")) {
+    CellResult::Crew crew{.name = entry.at("crew").get<std::string>()};
+    entry.at("makespan").get_to(crew.makespan);
+    entry.at("finished").get_to(crew.finished);
+    entry.at("progress").get_to(crew.progress);
+    entry.at("distance_m").get_to(crew.distance_m);
+    const std::size_t runs = crew.makespan.size();
+    if (runs == 0 || crew.finished.size() != runs || crew.progress.size() != runs ||
+        crew.distance_m.size() != runs) {
+      throw std::runtime_error("lists of different lengths");
+    }
+    result.crews.push_back(std::move(crew));
+  }
+  if (result.crews.empty()) throw std::runtime_error("no crew");
+  return result;
+}
+
+}  // namespace
+
+std::string CellStore::file_of(const std::string& key) const {
+  return folder_ + "/" + key + ".json";
+}
+
+std::optional<CellResult> CellStore::find(const std::string& key) const {
+  const std::string file = file_of(key);
+  if (!std::filesystem::exists(file)) return std::nullopt;
+  std::string reason;
+  const auto text = read_file(file, kMostBytes, reason);
+  if (!text) throw ScenarioError(file, "cannot be read: " + reason, "");
+  try {
+    const Json object = Json::parse(*text);
+    if (object.at("format") != kFormat || object.at("key") != key) {
+      throw std::runtime_error("another format or key");
+    }
+    return from_json(object);
+  } catch (const std::exception& wrong) {
+    throw ScenarioError(file, fmt::format("is no result of a cell: {}", wrong.what()),
+                        "remove the file; it will be made again");
+  }
+}
+
+void CellStore::keep(const std::string& key, const ExperimentCell& cell,
+                     const CellResult& result) const {
+  write_file(file_of(key), to_json(key, cell, result).dump() + "\n");
+}
+
+}  // namespace linewright

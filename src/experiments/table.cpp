@@ -1,0 +1,173 @@
+#include "linewright/experiments/table.hpp"
+
+#include <algorithm>
+
+namespace linewright {
+namespace {
+
+double value_of(const CellResult::Crew& crew, std::size_t trial, Metric metric) {
+  switch (metric) {
+    case Metric::kMakespan:
+      return crew.makespan[trial];
+    case Metric::kSuccessRate:
+      return crew.finished[trial];
+    case Metric::kProgress:
+      return crew.progress[trial];
+    case Metric::kDistance:
+      return crew.distance_m[trial];
+  }
+  return 0.0;
+}
+
+/// By trial: of one crew, or the mean of several.
+std::vector<double> by_trial(const CellResult& cell, std::size_t first_crew, std::size_t crews,
+                             Metric metric) {
+  std::vector<double> values(cell.crews.at(first_crew).makespan.size(), 0.0);
+  for (std::size_t c = first_crew; c < first_crew + crews; ++c) {
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      values[i] += value_of(cell.crews.at(c), i, metric) / static_cast<double>(crews);
+    }
+  }
+  return values;
+}
+
+/// A column is one order and one crew, or all of them.
+struct Column {
+  std::string name;
+  std::size_t order = 0;  ///< index
+  std::size_t first_crew = 0;
+  std::size_t crews = 1;
+};
+
+std::vector<Column> columns_of(const Experiment& experiment, const CellResult& sample) {
+  std::vector<Column> columns;
+  const std::size_t crews = sample.crews.size();
+  if (experiment.columns == Experiment::Columns::kOrders) {
+    for (std::size_t o = 0; o < experiment.orders.size(); ++o) {
+      columns.push_back({std::to_string(experiment.orders[o]), o, 0, crews});
+    }
+    return columns;
+  }
+  for (std::size_t c = 0; c < crews; ++c) columns.push_back({sample.crews[c].name, 0, c, 1});
+  columns.push_back({"mean", 0, 0, crews});
+  return columns;
+}
+
+/// The mean of each seed.
+std::vector<double> seed_means(const RowResults& row, const Column& column, Metric metric) {
+  std::vector<double> means;
+  for (const std::vector<CellResult>& seed : row) {
+    means.push_back(
+        spread_of(by_trial(seed.at(column.order), column.first_crew, column.crews, metric)).mean);
+  }
+  return means;
+}
+
+TableValue value_of(const RowResults& row, const Column& column, Metric metric) {
+  const Spread seeds = spread_of(seed_means(row, column, metric));
+  TableValue value{.mean = seeds.mean, .ci95 = {}, .paper = {}};
+  if (seeds.count > 1) {
+    value.ci95 = seeds.ci95;
+    return value;
+  }
+  const Spread starts =
+      spread_of(by_trial(row.at(0).at(column.order), column.first_crew, column.crews, metric));
+  if (starts.count > 1) value.ci95 = starts.ci95;
+  return value;
+}
+
+/// The paper prints no mean over the crews: it is that of its columns.
+std::optional<double> paper_value(const PaperTables& paper, const Experiment& experiment,
+                                  Metric metric, const std::string& row, const Column& column,
+                                  const std::vector<Column>& columns) {
+  if (column.name != "mean") return paper.find(experiment.paper, metric, row, column.name);
+  double sum = 0.0;
+  for (const Column& other : columns) {
+    if (other.name == "mean") continue;
+    const auto value = paper.find(experiment.paper, metric, row, other.name);
+    if (!value) return std::nullopt;
+    sum += *value;
+  }
+  return sum / static_cast<double>(columns.size() - 1);
+}
+
+/// Over all columns: one number per seed, or per start of a planner that is not trained.
+Spread overall(const RowResults& row, const std::vector<Column>& columns, Metric metric) {
+  std::vector<double> seeds(row.size(), 0.0);
+  std::vector<double> starts;
+  std::size_t counted = 0;
+  for (const Column& column : columns) {
+    if (column.name == "mean") continue;
+    ++counted;
+    const std::vector<double> means = seed_means(row, column, metric);
+    for (std::size_t s = 0; s < means.size(); ++s) seeds[s] += means[s];
+    const auto trials =
+        by_trial(row.at(0).at(column.order), column.first_crew, column.crews, metric);
+    starts.resize(trials.size(), 0.0);
+    for (std::size_t i = 0; i < trials.size(); ++i) starts[i] += trials[i];
+  }
+  std::vector<double>& values = row.size() > 1 ? seeds : starts;
+  for (double& value : values) value /= static_cast<double>(counted);
+  return spread_of(values);
+}
+
+JudgedClaim judge(const Claim& claim, const Experiment& experiment,
+                  const std::vector<RowResults>& results, const std::vector<Column>& columns) {
+  const auto row = [&](const std::string& name) -> const RowResults& {
+    std::size_t at = 0;
+    while (experiment.rows.at(at).name != name) ++at;
+    return results.at(at);
+  };
+  JudgedClaim judged{.claim = claim, .difference = {}};
+  judged.difference = welch_difference(overall(row(claim.than), columns, claim.metric),
+                                       overall(row(claim.lower), columns, claim.metric));
+  const auto [mean, ci95] = judged.difference;
+  if (ci95 > 0.0 && mean + ci95 < 0.0) judged.verdict = JudgedClaim::Verdict::kHolds;
+  if (ci95 > 0.0 && mean - ci95 > 0.0) judged.verdict = JudgedClaim::Verdict::kContrary;
+  return judged;
+}
+
+}  // namespace
+
+std::optional<double> TableValue::ratio() const {
+  if (!paper || *paper == 0.0) return std::nullopt;
+  return mean / *paper;
+}
+
+const char* name_of(JudgedClaim::Verdict verdict) {
+  switch (verdict) {
+    case JudgedClaim::Verdict::kHolds:
+      return "holds";
+    case JudgedClaim::Verdict::kContrary:
+      return "contrary";
+    case JudgedClaim::Verdict::kOpen:
+      return "open";
+  }
+  return "open";
+}
+
+ExperimentResult make_tables(const Experiment& experiment, const std::vector<RowResults>& results,
+                             const PaperTables* paper) {
+  ExperimentResult result{.experiment = experiment, .tables = {}, .claims = {}};
+  const std::vector<Column> columns = columns_of(experiment, results.at(0).at(0).at(0));
+  for (const Metric metric : experiment.metrics) {
+    ResultTable& table = result.tables.emplace_back(ResultTable{.metric = metric});
+    for (const Column& column : columns) table.columns.push_back(column.name);
+    for (std::size_t r = 0; r < experiment.rows.size(); ++r) {
+      TableRow row{.name = experiment.rows[r].name, .seeds = results.at(r).size()};
+      for (const Column& column : columns) {
+        row.values.push_back(value_of(results[r], column, metric));
+        const std::string& theirs = experiment.rows[r].paper;
+        if (paper == nullptr || experiment.paper.empty() || theirs.empty()) continue;
+        row.values.back().paper = paper_value(*paper, experiment, metric, theirs, column, columns);
+      }
+      table.rows.push_back(std::move(row));
+    }
+  }
+  for (const Claim& claim : experiment.claims) {
+    result.claims.push_back(judge(claim, experiment, results, columns));
+  }
+  return result;
+}
+
+}  // namespace linewright
