@@ -18,7 +18,7 @@ constexpr double kTickHeight = 32.0;    // between ticks, about
 }  // namespace
 
 double room_below(std::string_view title, double labels) {
-  return 7.0 + labels + (title.empty() ? 0.0 : kTitleRoom) + kMargin - 2.0;
+  return 7.0 + labels + (title.empty() ? 0.0 : kTitleRoom + 3.0) + kMargin - 2.0;
 }
 
 Plot lay_out(const ChartFrame& frame, double top, double below, const Range& data,
