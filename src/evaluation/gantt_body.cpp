@@ -11,7 +11,7 @@
 #include "gantt_labels.hpp"
 #include "gantt_rows.hpp"
 #include "gantt_style.hpp"
-#include "markup.hpp"
+#include "linewright/base/markup.hpp"
 
 namespace linewright::gantt {
 namespace {

@@ -8,11 +8,11 @@
 #include <iterator>
 #include <string>
 
+#include "../base/xml_check.hpp"
 #include "gantt_labels.hpp"
 #include "linewright/base/diagnostic.hpp"
 #include "linewright/evaluation/gantt.hpp"
 #include "small_log.hpp"
-#include "xml_check.hpp"
 
 namespace linewright {
 namespace {

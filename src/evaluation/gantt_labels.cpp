@@ -2,7 +2,7 @@
 
 #include <string_view>
 
-#include "markup.hpp"
+#include "linewright/base/markup.hpp"
 
 namespace linewright::gantt {
 namespace {

@@ -2,8 +2,8 @@
 
 #include "gantt_body.hpp"
 #include "gantt_style.hpp"
+#include "linewright/base/markup.hpp"
 #include "linewright/evaluation/gantt.hpp"
-#include "markup.hpp"
 
 namespace linewright {
 namespace {

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "label_places.hpp"
-#include "markup.hpp"
+#include "linewright/base/markup.hpp"
 
 namespace linewright::routes {
 namespace {

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "gantt_style.hpp"
-#include "markup.hpp"
+#include "linewright/base/markup.hpp"
 #include "routes_hall.hpp"
 #include "routes_panel.hpp"
 

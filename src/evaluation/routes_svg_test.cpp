@@ -2,10 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include "../base/xml_check.hpp"
 #include "label_places.hpp"
 #include "linewright/scenario/load.hpp"
 #include "routes_view.hpp"
-#include "xml_check.hpp"
 
 namespace linewright {
 namespace {

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "markup.hpp"
+#include "linewright/base/markup.hpp"
 
 namespace linewright::routes {
 namespace {

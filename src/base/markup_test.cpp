@@ -1,4 +1,4 @@
-#include "markup.hpp"
+#include "linewright/base/markup.hpp"
 
 #include <gtest/gtest.h>
 
