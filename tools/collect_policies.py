@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Takes the policies of training runs into policies/: every seed, the best of each algorithm, curves.
+"""Takes the policies of finished training runs into policies/: every seed, the best of each algorithm, curves.
 
 usage: tools/collect_policies.py [RUNS]      (default: out/train, the folder of `linewright train`)
 
@@ -27,7 +27,7 @@ def runs_of(folder):
     runs = {}
     for run in sorted(pathlib.Path(folder).iterdir()):
         match = re.fullmatch(r"(.+)-s(\d+)", run.name)
-        if match and (run / "best.safetensors").exists():
+        if match and (run / "best.safetensors").exists() and (run / "final.safetensors").exists():
             runs.setdefault(match[1], []).append((int(match[2]), run))
     return {name: sorted(found) for name, found in sorted(runs.items())}
 

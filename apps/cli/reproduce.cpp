@@ -241,12 +241,22 @@ class Reproduction {
       write_file(file + ".csv", result_csv(result));
       write_file(file + ".tex", result_latex(result));
       write_file(file + ".json", result_json(result));
+      write_figures(result);
       const std::string text = result_markdown(result);
       write_file(file + ".md", text);
       all += text;
     }
     print(all);
-    print(fmt::format("Tables as CSV, Markdown, LaTeX and JSON: {}/tables\n", arguments_.out));
+    print(fmt::format("Tables as CSV, Markdown, LaTeX and JSON: {0}/tables; figures: {0}/figures\n",
+                      arguments_.out));
+  }
+
+  void write_figures(const ExperimentResult& result) const {
+    for (std::size_t t = 0; t < result.tables.size(); ++t) {
+      write_file(fmt::format("{}/figures/{}_{}.svg", arguments_.out, result.experiment.name,
+                             name_of(result.tables[t].metric)),
+                 result_figure(result, t));
+    }
   }
 
   const ReproduceArguments& arguments_;

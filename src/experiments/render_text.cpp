@@ -4,10 +4,12 @@
 #include <nlohmann/json.hpp>
 
 #include "linewright/experiments/render.hpp"
+#include "metric_titles.hpp"
 
 namespace linewright {
 namespace {
 
+using experiments::title_of;
 using Json = nlohmann::ordered_json;
 
 bool is_share(Metric metric) {
@@ -16,20 +18,6 @@ bool is_share(Metric metric) {
 
 std::string number(double value, Metric metric) {
   return fmt::format("{:.{}f}", value, is_share(metric) ? 3 : 1);
-}
-
-const char* title_of(Metric metric) {
-  switch (metric) {
-    case Metric::kMakespan:
-      return "Makespan, ticks";
-    case Metric::kSuccessRate:
-      return "Success rate (share of runs that finish the order)";
-    case Metric::kProgress:
-      return "Mean progress (share of the order that is finished)";
-    case Metric::kDistance:
-      return "Distance, metres, all workers together";
-  }
-  return "";
 }
 
 bool has_paper(const TableRow& row) {

@@ -115,6 +115,7 @@ TEST(Render, WritesTheSameNumbersEverywhere) {
   EXPECT_NE(markdown.find("the \\| other"), std::string::npos);
   EXPECT_NE(markdown.find("| A is faster | -199.00 |"), std::string::npos) << markdown;
   EXPECT_NE(result_latex(result).find("107.0\\,$\\pm$\\,25.4"), std::string::npos);
+  EXPECT_NE(result_figure(result, 0).find("H1R2"), std::string::npos);
   EXPECT_NE(result_json(result).find("\"verdict\": "), std::string::npos);
 }
 

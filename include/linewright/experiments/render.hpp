@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <string>
 
 #include "linewright/experiments/table.hpp"
@@ -15,6 +16,10 @@ namespace linewright {
 
 /// `tabular` environments in the style of booktabs, one per metric.
 [[nodiscard]] std::string result_latex(const ExperimentResult& result);
+
+/// One of the tables as a picture (SVG): a group of bars per crew, or lines over the quantities;
+/// the paper's figures are diamonds, intervals whiskers and bands.
+[[nodiscard]] std::string result_figure(const ExperimentResult& result, std::size_t table);
 
 /// Everything, for programs.
 [[nodiscard]] std::string result_json(const ExperimentResult& result);

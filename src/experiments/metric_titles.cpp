@@ -1,0 +1,19 @@
+#include "metric_titles.hpp"
+
+namespace linewright::experiments {
+
+const char* title_of(Metric metric) {
+  switch (metric) {
+    case Metric::kMakespan:
+      return "Makespan, ticks";
+    case Metric::kSuccessRate:
+      return "Success rate (share of runs that finish the order)";
+    case Metric::kProgress:
+      return "Mean progress (share of the order that is finished)";
+    case Metric::kDistance:
+      return "Distance, metres, all workers together";
+  }
+  return "";
+}
+
+}  // namespace linewright::experiments
