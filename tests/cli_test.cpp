@@ -81,7 +81,7 @@ TEST(Cli, RoutesTellsEveryPairAndDrawsThem) {
 }
 
 TEST(Cli, RoutesKeepsThemBesideTheScenarioUnlessTold) {
-  const std::string file = temporary("kitting.yaml");
+  const std::string file = temporary("kitting_routes.yaml");
   std::filesystem::copy_file("scenarios/teaching/kitting_cell.yaml", file);
   ASSERT_EQ(linewright("routes --no-cache " + file).code, 0);
   EXPECT_FALSE(std::filesystem::exists(file + ".routes"));

@@ -51,20 +51,17 @@ std::string bars(const Experiment& experiment, const ResultTable& table) {
   return bar_chart_svg(chart);
 }
 
-/// A line per row over the quantities ordered.
+/// A line per row over the quantities ordered. Without intervals: a dozen bands over one another
+/// hide more than they show.
 std::string lines(const Experiment& experiment, const ResultTable& table) {
   LineChart chart{.frame = {.title = experiment.title, .width = kWide, .height = 520.0},
                   .x = {.title = "quantity ordered", .integer = true},
-                  .y = {.title = title_of(table.metric)}};
+                  .y = {.title = title_of(table.metric), .low = 0.0}};
   for (std::size_t r = 0; r < table.rows.size(); ++r) {
     LineSeries series{.name = table.rows[r].name, .style = r, .markers = true};
     for (std::size_t c = 0; c < table.columns.size(); ++c) {
-      const TableValue& value = table.rows[r].values[c];
-      const Ends ends = ends_of(value);
-      series.points.push_back({.x = static_cast<double>(experiment.orders[c]),
-                               .y = value.mean,
-                               .y_low = ends.low,
-                               .y_high = ends.high});
+      series.points.push_back(
+          {.x = static_cast<double>(experiment.orders[c]), .y = table.rows[r].values[c].mean});
     }
     chart.series.push_back(std::move(series));
   }
