@@ -225,6 +225,29 @@ TEST(Cli, ReproducesAnExperimentAndGoesOnWithWhatIsThere) {
   std::filesystem::remove_all(folder);
 }
 
+TEST(Cli, ReproduceTrainsWhatIsMissingAndNothingTwice) {
+  if (!has_trainer()) GTEST_SKIP() << "built without LibTorch";
+  const std::string folder = temporary("reproduce_training");
+  std::filesystem::create_directory(folder);
+  std::filesystem::copy_file(LINEWRIGHT_SOURCE_DIR "/scenarios/teaching/one_human_one_robot.yaml",
+                             folder + "/line.yaml");
+  std::ofstream(folder + "/mini.yaml") << "extends: " LINEWRIGHT_SOURCE_DIR
+                                          "/algorithms/base.yaml\nalgorithm: {name: mini}\n"
+                                          "optimizer: {updates: 20, warmup: 300, batch: 32}\n"
+                                          "run: {evaluate_every: 10, evaluation_trials: 1}\n";
+  std::ofstream(folder + "/learned.yaml")
+      << "title: Learned\nscenario: line.yaml\ncolumns: crews\norders: [2]\nmetrics: [makespan]\n"
+         "trials: 2\nseeds: [1, 2]\nrows: [{row: mini, algorithm: mini.yaml}]\n";
+  const std::string command = "reproduce " + folder + "/learned.yaml --out " + folder + "/out";
+  const Output first = linewright(command);
+  ASSERT_EQ(first.code, 0) << first.err;
+  const std::string policy = folder + "/out/train/line/mini-s2/best.safetensors";
+  const auto written = std::filesystem::last_write_time(policy);
+  EXPECT_EQ(linewright(command).out, first.out);
+  EXPECT_EQ(std::filesystem::last_write_time(policy), written);
+  std::filesystem::remove_all(folder);
+}
+
 }  // namespace
 }  // namespace linewright::testing
 

@@ -131,7 +131,8 @@ class Reproduction {
     if (arguments_.policies.empty()) {
       return job_of(row.algorithm, experiment.scenario, seed).policy();
     }
-    return fmt::format("{}/{}/{}.safetensors", arguments_.policies, row.algorithm, seed);
+    return fmt::format("{}/{}/{}.safetensors", arguments_.policies,
+                       fs::path(row.algorithm).stem().string(), seed);
   }
 
   bool train() {

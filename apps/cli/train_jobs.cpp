@@ -3,7 +3,7 @@
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <signal.h>
-#include <spawn.h>
+#include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -14,8 +14,6 @@
 
 #include "common.hpp"
 #include "linewright/base/diagnostic.hpp"
-
-extern char** environ;
 
 namespace linewright::cli {
 namespace {
@@ -41,29 +39,33 @@ std::vector<std::string> words_of(const TrainJob& job) {
   return words;
 }
 
+/// What a run does before it becomes the trainer; only calls that are safe behind fork().
+[[noreturn]] void become(const char* program, char* const* arguments, int log) {
+  // Should this program be killed, the run writes a checkpoint and ends, too: none goes on unseen.
+  prctl(PR_SET_PDEATHSIG, SIGINT);
+  // A group of its own: Ctrl-C comes to this program, which passes it on once.
+  setpgid(0, 0);
+  dup2(log, STDOUT_FILENO);
+  dup2(log, STDERR_FILENO);
+  execv(program, arguments);
+  constexpr int kNotStarted = 127;
+  _exit(kNotStarted);
+}
+
 pid_t start(const TrainJob& job, const std::string& program) {
   fs::create_directories(job.out);
   std::vector<std::string> words = words_of(job);
   std::vector<char*> arguments;
   for (std::string& word : words) arguments.push_back(word.data());
   arguments.push_back(nullptr);
-  posix_spawn_file_actions_t files;
-  posix_spawn_file_actions_init(&files);
-  posix_spawn_file_actions_addopen(&files, STDOUT_FILENO, log_of(job).c_str(),
-                                   O_WRONLY | O_CREAT | O_TRUNC, 0644);
-  posix_spawn_file_actions_adddup2(&files, STDOUT_FILENO, STDERR_FILENO);
-  // A group of its own: Ctrl-C comes to this program, which passes it on once.
-  posix_spawnattr_t attributes;
-  posix_spawnattr_init(&attributes);
-  posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP);
-  posix_spawnattr_setpgroup(&attributes, 0);
-  pid_t process = 0;
-  const int failed =
-      posix_spawn(&process, program.c_str(), &files, &attributes, arguments.data(), environ);
-  posix_spawn_file_actions_destroy(&files);
-  posix_spawnattr_destroy(&attributes);
-  if (failed != 0) {
-    throw ScenarioError(program, fmt::format("cannot be started: {}", std::strerror(failed)), "");
+  const int log = open(log_of(job).c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644);
+  if (log < 0) throw ScenarioError(log_of(job), std::strerror(errno), "");
+  const pid_t process = fork();
+  if (process == 0) become(program.c_str(), arguments.data(), log);
+  const int reason = errno;
+  close(log);
+  if (process < 0) {
+    throw ScenarioError(program, fmt::format("cannot be started: {}", std::strerror(reason)), "");
   }
   return process;
 }
@@ -141,8 +143,8 @@ class Jobs {
   void show() {
     std::string note;
     for (const Running& run : running_) {
-      note += fmt::format(" {}-s{}: update {}", run.job->algorithm, run.job->seed,
-                          updates_of(*run.job));
+      note +=
+          fmt::format(" {}-s{}: update {}", run.job->name(), run.job->seed, updates_of(*run.job));
     }
     bar_.update(done_, total_, note);
   }
@@ -161,7 +163,9 @@ class Jobs {
 
 }  // namespace
 
-std::string TrainJob::folder() const { return fmt::format("{}/{}-s{}", out, algorithm, seed); }
+std::string TrainJob::name() const { return fs::path(algorithm).stem().string(); }
+
+std::string TrainJob::folder() const { return fmt::format("{}/{}-s{}", out, name(), seed); }
 
 bool TrainJob::is_done() const {
   return fs::exists(folder() + "/final.safetensors") && fs::exists(policy());

@@ -10,11 +10,12 @@ namespace linewright::cli {
 
 /// One run of `linewright train`.
 struct TrainJob {
-  std::string algorithm;
-  std::string scenario;  ///< file
+  std::string algorithm;  ///< a name of the folder algorithms/ or a file
+  std::string scenario;   ///< file
   std::uint64_t seed = 1;
   std::string out;  ///< the run's folder is OUT/ALGORITHM-sSEED
 
+  [[nodiscard]] std::string name() const;  ///< of the algorithm, without folder and ending
   [[nodiscard]] std::string folder() const;
   /// The policy that the run keeps, once it is done.
   [[nodiscard]] std::string policy() const { return folder() + "/best.safetensors"; }

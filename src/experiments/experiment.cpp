@@ -137,6 +137,9 @@ Experiment load_experiment(const std::string& file, bool quick) {
   if (quick && reduced != nullptr) read_numbers(*reduced, experiment);
   read_rest(root, experiment, problems);
   read_rows(root, experiment, problems);
+  for (ExperimentRow& row : experiment.rows) {
+    if (row.algorithm.ends_with(".yaml")) row.algorithm = beside(file, row.algorithm);
+  }
   if (const SourceNode* claims = root.find("claims")) {
     for (const SourceNode& node : claims->items) {
       experiment.claims.push_back(read_claim(node, experiment, problems));

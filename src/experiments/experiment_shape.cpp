@@ -25,12 +25,13 @@ ShapePtr text(const char* expected) { return loading::scalar(Kind::kText, expect
 ShapePtr name(const char* expected) { return loading::scalar(Kind::kName, expected); }
 
 ShapePtr row_shape() {
-  return loading::mapping("a mapping {row: EBQ-N, algorithm: ebq-n}",
-                          {required("row", name("the row's name"), ""),
-                           key("algorithm", name("an algorithm of the folder algorithms/"), ""),
-                           key("planner", text("a planner, such as first or priority:tuned"), ""),
-                           key("allocator", name("an allocator"), ""),
-                           key("paper", name("a row of the paper's table"), "")});
+  return loading::mapping(
+      "a mapping {row: EBQ-N, algorithm: ebq-n}",
+      {required("row", name("the row's name"), ""),
+       key("algorithm", text("an algorithm: a name of the folder algorithms/, or a file"), ""),
+       key("planner", text("a planner, such as first or priority:tuned"), ""),
+       key("allocator", name("an allocator"), ""),
+       key("paper", name("a row of the paper's table"), "")});
 }
 
 ShapePtr claim_shape() {

@@ -25,7 +25,7 @@ enum class Metric : std::uint8_t {
 /// One row of an experiment: who decides.
 struct ExperimentRow {
   std::string name;       ///< in tables
-  std::string algorithm;  ///< of the folder algorithms/, trained once per seed; empty: `planner`
+  std::string algorithm;  ///< of algorithms/, or a file; trained once per seed; empty: `planner`
   std::string planner;    ///< PlannerRegistry
   std::string allocator = "sap";
   std::string paper;  ///< the row of the paper's table; empty: none

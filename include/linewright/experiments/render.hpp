@@ -17,8 +17,8 @@ namespace linewright {
 /// `tabular` environments in the style of booktabs, one per metric.
 [[nodiscard]] std::string result_latex(const ExperimentResult& result);
 
-/// One of the tables as a picture (SVG): a group of bars per crew with the intervals as whiskers and
-/// the paper's figures as diamonds, or lines over the quantities.
+/// One of the tables as a picture (SVG): a group of bars per crew with the intervals as whiskers
+/// and the paper's figures as diamonds, or lines over the quantities.
 [[nodiscard]] std::string result_figure(const ExperimentResult& result, std::size_t table);
 
 /// Everything, for programs.
