@@ -68,7 +68,7 @@ train: deps-learn build/release/build.ninja
 	@cmake --preset release --log-level=WARNING >/dev/null
 	$(SAY) "Building the trainer"
 	@cmake --build --preset release --parallel $(JOBS) --target linewright linewright-train
-	$(SAY) "Training EBQ-N on the duct line: some five minutes on two cores"
+	$(SAY) "Training EBQ-N on the duct line: some three minutes on two cores"
 	@build/release/linewright train --algo ebq-n --scenario scenarios/duct_line.yaml --seed 1 --out out/train
 	$(SAY) "Evaluating it: nine crews, 100 starts each"
 	@build/release/linewright evaluate scenarios/duct_line.yaml --order 5 --trials 100 \

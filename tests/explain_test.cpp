@@ -8,6 +8,7 @@
 
 #include "linewright/allocation/allocator.hpp"
 #include "linewright/evaluation/event_log_writer.hpp"
+#include "linewright/evaluation/explanation_text.hpp"
 #include "linewright/evaluation/log_document.hpp"
 #include "linewright/planning/shield.hpp"
 #include "tests/support.hpp"
@@ -119,7 +120,8 @@ TEST(Explain, StandsInTheLogAndLeavesTheRestAsItWas) {
 
 TEST(Explain, TextNamesTheDecisionAndItsAlternatives) {
   const Explained run("first", {1, 2});
-  const std::string text = explanation_text(run.simulator, run.states.at(0), run.decisions.at(0));
+  const std::string text =
+      explanation_text(run.simulator.line(), run.log.setup, run.decisions.at(0));
   EXPECT_EQ(text.substr(0, text.find('\n')), "tick 1: bring_flanges by human.0, robot.0, cage.0");
   EXPECT_NE(text.find("    * bring_flanges: the run would end at about "), std::string::npos)
       << text;

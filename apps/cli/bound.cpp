@@ -68,13 +68,15 @@ std::vector<Report> reports_of(BoundArguments& arguments, const LineModel& line)
       }
     }
   }
+  if (arguments.makespan && reports.size() > 1) {
+    throw ScenarioError({}, "--makespan is compared with one bound, but several crews are named",
+                        "name one crew and one start");
+  }
   for (Report& report : reports) {
     report.bounds = lower_bounds(line, report.setup, arguments.options, &interrupted());
   }
   return reports;
 }
-
-std::string percent(double share) { return fmt::format("{:.1f} %", share * 100.0); }
 
 Json to_json(const BoundArguments& arguments, const LineModel& line, const Report& report) {
   Json object{{"line", line.name},
@@ -105,7 +107,7 @@ std::string to_text(const BoundArguments& arguments, const LineModel& line, cons
     text += fmt::format("{:>7}  {}\n         {}\n", bound.ticks, bound.name, bound.argument);
   if (arguments.makespan) {
     text += fmt::format("\nmakespan {}, bound {}: gap {}\n", *arguments.makespan, best.ticks,
-                        percent(gap(*arguments.makespan, best.ticks)));
+                        percent(gap(*arguments.makespan, best.ticks), 1));
   }
   return text;
 }
@@ -125,12 +127,7 @@ std::string to_table(const std::vector<Report>& reports) {
 
 /// A makespan below a bound of a run that really took place would be a defect.
 void check_makespan(const BoundArguments& arguments, const std::vector<Report>& reports) {
-  if (!arguments.makespan) return;
-  if (reports.size() > 1) {
-    throw ScenarioError({}, "--makespan is compared with one bound, but several crews are named",
-                        "name one crew and one start");
-  }
-  if (*arguments.makespan >= reports[0].bounds[0].ticks) return;
+  if (!arguments.makespan || *arguments.makespan >= reports[0].bounds[0].ticks) return;
   throw ScenarioError({},
                       fmt::format("a makespan of {} is below the bound of {}: no run of this crew "
                                   "and start can have it",

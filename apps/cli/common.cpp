@@ -264,6 +264,10 @@ void ProgressBar::update(std::size_t done, std::size_t total, const std::string&
              stderr);
 }
 
+std::string percent(double share, int decimals) {
+  return fmt::format("{:.{}f} %", share * 100.0, decimals);
+}
+
 std::string text_table(const std::vector<std::vector<std::string>>& rows) {
   std::vector<std::size_t> widths;
   for (const auto& row : rows) {

@@ -108,6 +108,9 @@ class ProgressBar {
 /// A plain-text table: the first column left, the others right aligned.
 [[nodiscard]] std::string text_table(const std::vector<std::vector<std::string>>& rows);
 
+/// "12 %", or with decimals.
+[[nodiscard]] std::string percent(double share, int decimals = 0);
+
 Command add_check(CLI::App& app);
 Command add_simulate(CLI::App& app);
 Command add_evaluate(CLI::App& app);

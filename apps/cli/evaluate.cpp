@@ -37,71 +37,65 @@ Configuration parse_versus(const std::string& text, const Configuration& base) {
   return configuration;
 }
 
-/// A planner that is asked for, and the folder that named it: "policy:FOLDER", or empty.
-struct AskedPlanner {
-  std::string name;
+/// One thing to evaluate. `folder`: "policy:FOLDER" where that named the planner, else empty.
+struct Asked {
+  Configuration configuration;
   std::string folder;
 };
 
 /// "policy:FOLDER" is every policy of the folder, by name; everything else is itself.
-std::vector<AskedPlanner> files_of(const std::string& planner) {
+std::vector<std::string> files_of(const std::string& planner) {
   constexpr std::string_view kPolicy = "policy:";
-  if (!planner.starts_with(kPolicy) || !fs::is_directory(planner.substr(kPolicy.size()))) {
-    return {{planner, ""}};
-  }
-  std::vector<AskedPlanner> policies;
-  for (const fs::directory_entry& entry : fs::directory_iterator(planner.substr(kPolicy.size()))) {
+  if (!planner.starts_with(kPolicy)) return {planner};
+  const std::string folder = planner.substr(kPolicy.size());
+  if (!fs::is_directory(folder)) return {planner};
+  std::vector<std::string> policies;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
     if (entry.path().extension() != ".safetensors") continue;
-    policies.push_back({std::string(kPolicy) + entry.path().string(), planner});
+    policies.push_back(std::string(kPolicy) + entry.path().string());
   }
   if (policies.empty()) {
     throw ScenarioError({}, fmt::format("--planner: '{}' has no policy", planner),
                         "name a file, or a folder with one *.safetensors per training seed");
   }
-  std::sort(policies.begin(), policies.end(),
-            [](const AskedPlanner& a, const AskedPlanner& b) { return a.name < b.name; });
+  std::sort(policies.begin(), policies.end());
   return policies;
 }
 
-/// The planners that the options name, each once; `first` by default.
-std::vector<AskedPlanner> planners_of(const EvaluateArguments& arguments) {
-  std::vector<AskedPlanner> all;
-  for (const std::string& list : arguments.planners) {
+/// The planners that the options name, each once, with the allocator of `base`; its own by default.
+std::vector<Asked> planners_of(const std::vector<std::string>& lists, const Configuration& base) {
+  std::vector<Asked> all;
+  for (const std::string& list : lists) {
     for (const std::string& planner : split_planners(list)) {
       if (planner == "replay") {
         throw ScenarioError({}, "planner 'replay' is only for simulate",
                             "use simulate --planner replay --decisions FILE");
       }
-      for (AskedPlanner& asked : files_of(planner)) {
+      for (const std::string& file : files_of(planner)) {
         if (std::any_of(all.begin(), all.end(),
-                        [&](const AskedPlanner& other) { return other.name == asked.name; })) {
-          throw ScenarioError({}, fmt::format("--planner: '{}' is listed twice", asked.name),
+                        [&](const Asked& other) { return other.configuration.planner == file; })) {
+          throw ScenarioError({}, fmt::format("--planner: '{}' is listed twice", file),
                               "list each planner once");
         }
-        all.push_back(std::move(asked));
+        all.push_back({base, file == planner ? "" : planner});
+        all.back().configuration.planner = file;
       }
     }
   }
-  if (all.empty()) all.push_back({arguments.run.configuration.planner, ""});
+  if (all.empty()) all.push_back({base, ""});
   return all;
 }
-
-struct Asked {
-  Configuration configuration;
-  std::string folder;  ///< of its planner
-};
 
 /// What is to be evaluated: every planner with every allocator, or two with --versus. Throws
 /// ScenarioError for names that are unknown or listed twice: before the first run, which may take
 /// long.
 std::vector<Asked> configurations_of(const EvaluateArguments& arguments) {
-  const std::vector<AskedPlanner> planners = planners_of(arguments);
+  const std::vector<Asked> planners = planners_of(arguments.planners, arguments.run.configuration);
   const std::vector<std::string> allocators = allocators_of(arguments.run.configuration.allocator);
   std::vector<Asked> configurations;
-  for (const AskedPlanner& planner : planners) {
+  for (const Asked& planner : planners) {
     for (const std::string& allocator : allocators) {
-      configurations.push_back({arguments.run.configuration, planner.folder});
-      configurations.back().configuration.planner = planner.name;
+      configurations.push_back(planner);
       configurations.back().configuration.allocator = allocator;
     }
   }
@@ -156,12 +150,16 @@ void show(const EvaluateArguments& arguments, const LineModel& line,
   if (paired) print(paired_text(line, evaluations[0], evaluations[1]));
 }
 
-/// Several configurations, all complete.
+/// Several configurations, all that are complete of those that were asked for.
 void show_several(const EvaluateArguments& arguments, const LineModel& line,
-                  const std::vector<Evaluation>& evaluations, bool planners) {
+                  const std::vector<Evaluation>& evaluations, const std::vector<Asked>& asked) {
+  const std::string& planner = asked[0].configuration.planner;
+  const bool planners = std::any_of(asked.begin(), asked.end(), [&](const Asked& other) {
+    return other.configuration.planner != planner;
+  });
   if (arguments.run.json) {
     Json object = Json::object();
-    if (!planners) object["planner"] = configurations_of(arguments)[0].configuration.planner;
+    if (!planners) object["planner"] = planner;
     add_plan(arguments, line, object);
     object.update(planners && !evaluations.empty() ? planners_json(line, evaluations)
                                                    : allocators_json(line, evaluations));
@@ -201,7 +199,7 @@ int evaluate(const EvaluateArguments& arguments) {
     std::erase_if(evaluations, [&](const Evaluation& evaluation) {
       return evaluation.rows.size() < plan.crews.size();
     });
-    show_several(arguments, line, evaluations, planners_of(arguments).size() > 1);
+    show_several(arguments, line, evaluations, configurations);
   } else if (!evaluations.empty()) {
     show(arguments, line, evaluations);
   }

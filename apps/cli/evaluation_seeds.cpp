@@ -27,22 +27,22 @@ void add_rows(const std::vector<SeedGroup>& groups, const SeedGroup& group,
               std::vector<std::vector<std::string>>& rows) {
   std::vector<std::string> means{group.folder, group.allocator, std::to_string(group.seeds.size())};
   std::vector<std::string> intervals{"", "+-", ""};
-  const auto add = [&](double mean, double interval, const char* format) {
-    means.push_back(fmt::format(fmt::runtime(format), mean));
+  const auto add = [&](std::string mean, double interval) {
+    means.push_back(std::move(mean));
     intervals.push_back(group.seeds.size() > 1 ? fmt::format("{:.1f}", interval) : "");
   };
   for (std::size_t crew = 0; crew < group.seeds[0]->rows.size(); ++crew) {
     const Spread spread = makespan_over(group, crew);
-    add(spread.mean, spread.ci95, "{:.1f}");
+    add(fmt::format("{:.1f}", spread.mean), spread.ci95);
   }
   const Spread mean = makespan_over(group);
-  add(mean.mean, mean.ci95, "{:.1f}");
+  add(fmt::format("{:.1f}", mean.mean), mean.ci95);
   if (&group == &groups[0]) {
     means.emplace_back();
     intervals.emplace_back();
   } else {
     const MeanDifference difference = welch_difference(makespan_over(groups[0]), mean);
-    add(difference.mean, difference.ci95, "{:+.1f}");
+    add(fmt::format("{:+.1f}", difference.mean), difference.ci95);
   }
   means.push_back(fmt::format("{:.3f}", success_over(group).mean));
   intervals.emplace_back();

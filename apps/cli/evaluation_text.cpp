@@ -8,8 +8,6 @@
 namespace linewright::cli {
 namespace {
 
-std::string percent(double share) { return fmt::format("{:.0f} %", share * 100.0); }
-
 std::string table_of(const LineModel& line, const Evaluation& evaluation) {
   std::vector<std::vector<std::string>> rows{
       {"crew", "makespan", "ci95", "sd", "success", "progress", "metres", "ticks", "decisions"}};

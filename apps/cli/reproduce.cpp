@@ -31,45 +31,31 @@ struct ReproduceArguments {
   std::string policies;
 };
 
-/// A folder of the repository or the installation: here, or beside the program.
-fs::path shipped_folder(const std::string& name) {
-  std::vector<fs::path> folders{name};
-  std::error_code ignored;
-  fs::path program = fs::read_symlink("/proc/self/exe", ignored);
-  for (int up = 0; up < 4 && program.has_parent_path(); ++up) {
-    program = program.parent_path();
-    folders.push_back(program / name);
-  }
-  for (const fs::path& folder : folders) {
-    if (fs::is_directory(folder, ignored)) return folder;
-  }
-  return {};
+/// What is in a folder, by name; empty when it is none.
+std::vector<fs::path> entries_of(const std::string& folder) {
+  std::vector<fs::path> entries;
+  if (!fs::is_directory(folder)) return entries;
+  for (const auto& entry : fs::directory_iterator(folder)) entries.push_back(entry.path());
+  std::sort(entries.begin(), entries.end());
+  return entries;
 }
 
 /// The experiments that are asked for: a file, a folder, or the name of a folder of experiments/.
 std::vector<std::string> experiment_files(const std::string& what) {
   if (fs::is_regular_file(what)) return {what};
-  const fs::path shipped = shipped_folder("experiments");
-  const fs::path folder = fs::is_directory(what) ? fs::path(what) : shipped / what;
-  std::vector<std::string> files;
-  if (fs::is_directory(folder)) {
-    for (const auto& entry : fs::directory_iterator(folder)) {
-      const fs::path& file = entry.path();
-      if (file.extension() == ".yaml" && file.filename() != kPaperTables) {
-        files.push_back(file.string());
-      }
-    }
-  }
-  if (!files.empty()) {
-    std::sort(files.begin(), files.end());
-    return files;
-  }
+  std::vector<std::string> folders{what};
   std::vector<std::string> known;
-  if (!shipped.empty()) {
-    for (const auto& entry : fs::directory_iterator(shipped)) {
-      known.push_back(entry.path().filename().string());
+  for (const std::string& shipped : shipped_folders("experiments")) {
+    folders.push_back(shipped + "/" + what);
+    for (const fs::path& entry : entries_of(shipped)) known.push_back(entry.filename().string());
+  }
+  for (const std::string& folder : folders) {
+    std::vector<std::string> files;
+    for (const fs::path& file : entries_of(folder)) {
+      if (file.extension() != ".yaml" || file.filename() == kPaperTables) continue;
+      files.push_back(file.string());
     }
-    std::sort(known.begin(), known.end());
+    if (!files.empty()) return files;
   }
   throw ScenarioError({}, fmt::format("there are no experiments {}", in_quotes(what)),
                       known.empty() ? "name a file" : name_hint(what, known));
@@ -160,12 +146,17 @@ class Reproduction {
                         "train it, or leave out --policies: then it is trained");
   }
 
-  /// The cells of all experiments; what several share is played once.
+  /// The cells of all experiments, and what is there of their results. Several may share one.
   void plan() {
+    std::set<std::string> seen;
     for (const Experiment& experiment : experiments_) {
       for (const ExperimentRow& row : experiment.rows) {
-        for (const Planned& planned : cells_of(experiment, row)) {
-          if (planned_.insert(planned.key).second && !store_.find(planned.key)) {
+        cells_.push_back(cells_of(experiment, row));
+        for (const Planned& planned : cells_.back()) {
+          if (!seen.insert(planned.key).second) continue;
+          if (auto result = store_.find(planned.key)) {
+            results_.emplace(planned.key, std::move(*result));
+          } else {
             left_.push_back(planned);
           }
         }
@@ -201,7 +192,7 @@ class Reproduction {
     std::size_t total = 0;
     for (const Planned& planned : left_) total += runs_of(planned);
     for (const Planned& planned : left_) {
-      const auto result = run_cell(
+      auto result = run_cell(
           planned.cell, scenario(planned.scenario), clock_ns,
           [&](std::size_t done, std::size_t) {
             bar.update(before + done, total,
@@ -211,6 +202,7 @@ class Reproduction {
           &interrupted());
       if (!result) return false;
       store_.keep(planned.key, planned.cell, *result);
+      results_.emplace(planned.key, std::move(*result));
       before += runs_of(planned);
     }
     return true;
@@ -220,24 +212,26 @@ class Reproduction {
     return all_crews(scenario(planned.scenario).line).size() * planned.cell.trials;
   }
 
-  ExperimentResult result_of(const Experiment& experiment) {
+  /// `row`: where the cells of the experiment's rows begin; moves on behind them.
+  ExperimentResult result_of(const Experiment& experiment, std::size_t& row) const {
     std::vector<RowResults> rows;
-    for (const ExperimentRow& row : experiment.rows) {
+    for (std::size_t r = 0; r < experiment.rows.size(); ++r, ++row) {
       RowResults& results = rows.emplace_back();
-      for (const Planned& planned : cells_of(experiment, row)) {
+      for (const Planned& planned : cells_[row]) {
         if (results.empty() || results.back().size() == experiment.orders.size()) {
           results.emplace_back();
         }
-        results.back().push_back(store_.find(planned.key).value());
+        results.back().push_back(results_.at(planned.key));
       }
     }
     return make_tables(experiment, rows, paper_ ? &*paper_ : nullptr);
   }
 
-  void write() {
+  void write() const {
     std::string all;
+    std::size_t row = 0;
     for (const Experiment& experiment : experiments_) {
-      const ExperimentResult result = result_of(experiment);
+      const ExperimentResult result = result_of(experiment, row);
       const std::string file = arguments_.out + "/tables/" + experiment.name;
       write_file(file + ".csv", result_csv(result));
       write_file(file + ".tex", result_latex(result));
@@ -265,8 +259,9 @@ class Reproduction {
   std::vector<Experiment> experiments_;
   std::optional<PaperTables> paper_;
   std::map<std::string, Scenario> scenarios_;
-  std::set<std::string> planned_;
-  std::vector<Planned> left_;
+  std::vector<std::vector<Planned>> cells_;    ///< by row of all experiments
+  std::vector<Planned> left_;                  ///< to be played
+  std::map<std::string, CellResult> results_;  ///< by key
 };
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include "linewright/base/diagnostic.hpp"
 #include "linewright/base/files.hpp"
 #include "linewright/evaluation/event_log_writer.hpp"
+#include "linewright/evaluation/explanation_text.hpp"
 #include "linewright/evaluation/gantt.hpp"
 #include "linewright/evaluation/log_document.hpp"
 #include "linewright/planning/episode.hpp"
@@ -35,7 +36,8 @@ Outcome play(const Scenario& scenario, const Simulator& simulator,
     options.observe = [&](const SimulationState& state, const GuardedDecision& decision) {
       outcome.explained.push_back(
           explain_decision(simulator, state, decision, *base, *base_allocator));
-      outcome.explanations += explanation_text(simulator, state, outcome.explained.back()) + "\n";
+      outcome.explanations +=
+          explanation_text(simulator.line(), setup, outcome.explained.back()) + "\n";
     };
   }
   run_episode(simulator, outcome.state, setup, arguments.run.seed, *planner, *allocator, options);

@@ -100,8 +100,6 @@ Json simulation_json(const Simulator& simulator, const SimulateArguments& argume
 
 namespace {
 
-std::string percent(double share) { return fmt::format("{:.0f} %", share * 100.0); }
-
 std::string deadlock_text(const Simulator& simulator, const Outcome& outcome) {
   std::string text = "Nothing is under way and no task can start:\n";
   for (std::size_t t = 0; t < simulator.line().tasks.size(); ++t) {

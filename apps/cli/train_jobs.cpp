@@ -14,6 +14,7 @@
 
 #include "common.hpp"
 #include "linewright/base/diagnostic.hpp"
+#include "linewright/base/files.hpp"
 
 namespace linewright::cli {
 namespace {
@@ -176,10 +177,9 @@ bool run_train_jobs(const std::vector<TrainJob>& jobs, std::size_t cores) {
 }
 
 std::string trainer_program() {
-  std::error_code unknown;
-  const fs::path program =
-      fs::read_symlink("/proc/self/exe", unknown).parent_path() / "linewright-train";
-  if (!fs::exists(program, unknown)) {
+  std::error_code ignored;
+  const fs::path program = fs::path(program_file()).parent_path() / "linewright-train";
+  if (!fs::exists(program, ignored)) {
     throw ScenarioError(program.string(), "this build has no trainer: LibTorch was not found",
                         "install libtorch-dev (make demo does) and build again; trained policies "
                         "work without it");

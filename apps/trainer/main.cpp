@@ -6,11 +6,11 @@
 #include <csignal>
 #include <cstdlib>
 #include <exception>
-#include <filesystem>
 #include <string>
 #include <vector>
 
 #include "linewright/base/diagnostic.hpp"
+#include "linewright/base/files.hpp"
 #include "train.hpp"
 
 namespace {
@@ -25,9 +25,7 @@ void on_signal(int signal) {
 void choose_waiting(char** argv) {
   if (std::getenv("OMP_WAIT_POLICY") != nullptr) return;
   setenv("OMP_WAIT_POLICY", "passive", 1);
-  std::error_code unknown;
-  const std::string program = std::filesystem::read_symlink("/proc/self/exe", unknown).string();
-  execv(program.c_str(), argv);  // goes on below if that is not possible
+  execv(linewright::program_file().c_str(), argv);  // goes on below if that is not possible
 }
 
 /// Big tensors stay with the program instead of going back to the system after every operation.

@@ -9,6 +9,7 @@
 
 #include "folder_lock.hpp"
 #include "linewright/base/diagnostic.hpp"
+#include "linewright/base/files.hpp"
 #include "linewright/learning/runtime.hpp"
 #include "linewright/learning/trainer.hpp"
 #include "linewright/scenario/load.hpp"
@@ -28,26 +29,14 @@ double wall_time_s() {
   return std::chrono::duration<double>(std::chrono::system_clock::now().time_since_epoch()).count();
 }
 
-/// The folder algorithms/ of the repository or the installation: here, or beside the program.
-std::vector<fs::path> algorithm_folders() {
-  std::vector<fs::path> folders{"algorithms"};
-  std::error_code ignored;
-  fs::path program = fs::read_symlink("/proc/self/exe", ignored);
-  for (int up = 0; up < 4 && program.has_parent_path(); ++up) {
-    program = program.parent_path();
-    folders.push_back(program / "algorithms");
-  }
-  return folders;
-}
-
 /// A file as it is named, or one of the folder algorithms/ by its stem.
 std::string options_file(const std::string& name, const char* what) {
   if (name.empty() || fs::exists(name)) return name;
   std::vector<std::string> known;
-  for (const fs::path& folder : algorithm_folders()) {
-    const fs::path file = folder / (name + ".yaml");
+  for (const std::string& folder : shipped_folders("algorithms")) {
+    const fs::path file = fs::path(folder) / (name + ".yaml");
     if (fs::exists(file)) return file.string();
-    if (!known.empty() || !fs::is_directory(folder)) continue;
+    if (!known.empty()) continue;
     for (const auto& entry : fs::directory_iterator(folder)) {
       known.push_back(entry.path().stem().string());
     }

@@ -66,4 +66,25 @@ std::string beside(const std::string& file, const std::string& other) {
   return (std::filesystem::path(file).parent_path() / other).lexically_normal().string();
 }
 
+std::string program_file() {
+  std::error_code unknown;
+  return std::filesystem::read_symlink("/proc/self/exe", unknown).string();
+}
+
+std::vector<std::string> shipped_folders(const std::string& name) {
+  constexpr int kFoldersAbove = 4;
+  std::vector<std::filesystem::path> places{name};
+  std::filesystem::path program = program_file();
+  for (int up = 0; up < kFoldersAbove && program.has_parent_path(); ++up) {
+    program = program.parent_path();
+    places.push_back(program / name);
+  }
+  std::vector<std::string> folders;
+  for (const auto& place : places) {
+    std::error_code ignored;
+    if (std::filesystem::is_directory(place, ignored)) folders.push_back(place.string());
+  }
+  return folders;
+}
+
 }  // namespace linewright

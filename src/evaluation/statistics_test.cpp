@@ -2,8 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
-
 namespace linewright {
 namespace {
 
@@ -29,17 +27,14 @@ TEST(Spread, OfOneOrNoValueHasNoWidth) {
   EXPECT_EQ(spread_of({3}).ci95, 0.0);
 }
 
-TEST(WelchDifference, AgreesWithTheTextbook) {
-  // The example of Welch (1947) as in many textbooks: 15 values each.
-  const Spread first = spread_of(
-      {27.5, 21.0, 19.0, 23.6, 17.0, 17.9, 16.9, 20.1, 21.9, 22.6, 23.1, 19.6, 19.0, 21.7, 21.4});
-  const Spread second = spread_of(
-      {27.1, 22.0, 20.8, 23.4, 23.4, 23.5, 25.8, 22.0, 24.8, 20.2, 21.9, 22.1, 22.9, 30.5, 24.4});
+TEST(WelchDifference, HasTheDegreesOfFreedomOfBothSamples) {
+  // Variances 1 and 16 of three and five values: a standard error of 1.8797 and 4.77 degrees, so
+  // t of 4 degrees.
+  const Spread first = spread_of({9, 10, 11});
+  const Spread second = spread_of({12, 16, 20, 20, 22});
   const MeanDifference difference = welch_difference(first, second);
-  EXPECT_NEAR(difference.mean, 23.653333 - 20.82, 1e-4);
-  // Standard error sqrt(7.5046 / 15 + 6.2955 / 15) times t of 27 degrees.
-  EXPECT_NEAR(difference.ci95,
-              2.0518 * std::sqrt((first.sd * first.sd + second.sd * second.sd) / 15), 2e-3);
+  EXPECT_NEAR(difference.mean, 8.0, 1e-9);
+  EXPECT_NEAR(difference.ci95, 5.2189, 1e-3);
 }
 
 TEST(WelchDifference, HasNoIntervalWithoutTwoValuesEach) {

@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "linewright/charts/bar_chart.hpp"
 #include "linewright/charts/line_chart.hpp"
 #include "linewright/experiments/render.hpp"
@@ -20,15 +22,6 @@ Ends ends_of(const TableValue& value) {
   return {value.mean - *value.ci95, value.mean + *value.ci95};
 }
 
-bool has_paper(const ResultTable& table) {
-  for (const TableRow& row : table.rows) {
-    for (const TableValue& value : row.values) {
-      if (value.paper) return true;
-    }
-  }
-  return false;
-}
-
 /// A group of bars per crew, the paper's figures as diamonds.
 std::string bars(const Experiment& experiment, const ResultTable& table) {
   BarChart chart{.frame = {.title = experiment.title, .width = kWide},
@@ -47,7 +40,10 @@ std::string bars(const Experiment& experiment, const ResultTable& table) {
     }
     chart.series.push_back(std::move(series));
   }
-  if (has_paper(table)) chart.reference_name = "paper";
+  if (std::any_of(table.rows.begin(), table.rows.end(),
+                  [](const TableRow& row) { return row.has_paper(); })) {
+    chart.reference_name = "paper";
+  }
   return bar_chart_svg(chart);
 }
 

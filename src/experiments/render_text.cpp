@@ -1,6 +1,5 @@
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "linewright/experiments/render.hpp"
@@ -18,11 +17,6 @@ bool is_share(Metric metric) {
 
 std::string number(double value, Metric metric) {
   return fmt::format("{:.{}f}", value, is_share(metric) ? 3 : 1);
-}
-
-bool has_paper(const TableRow& row) {
-  return std::any_of(row.values.begin(), row.values.end(),
-                     [](const TableValue& value) { return value.paper.has_value(); });
 }
 
 std::string csv_field(const std::string& text) {
@@ -65,7 +59,7 @@ std::string markdown_rows(const TableRow& row, Metric metric) {
     ratio.push_back(value.ratio() ? fmt::format("{:.3f}", *value.ratio()) : "");
   }
   std::string text = line_of("**" + markdown_text(row.name) + "**", ours);
-  if (has_paper(row)) text += line_of("paper", paper) + line_of("ratio", ratio);
+  if (row.has_paper()) text += line_of("paper", paper) + line_of("ratio", ratio);
   return text;
 }
 
@@ -115,7 +109,7 @@ std::string latex_table(const ResultTable& table) {
       paper.push_back(value.paper ? number(*value.paper, table.metric) : "");
     }
     text += latex_row(latex_text(row.name), ours);
-    if (has_paper(row)) text += latex_row("\\quad paper", paper);
+    if (row.has_paper()) text += latex_row("\\quad paper", paper);
   }
   return text + "\\bottomrule\n\\end{tabular}\n";
 }

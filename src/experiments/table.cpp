@@ -37,6 +37,7 @@ struct Column {
   std::size_t order = 0;  ///< index
   std::size_t first_crew = 0;
   std::size_t crews = 1;
+  bool is_mean = false;  ///< of the other columns
 };
 
 std::vector<Column> columns_of(const Experiment& experiment, const CellResult& sample) {
@@ -49,7 +50,7 @@ std::vector<Column> columns_of(const Experiment& experiment, const CellResult& s
     return columns;
   }
   for (std::size_t c = 0; c < crews; ++c) columns.push_back({sample.crews[c].name, 0, c, 1});
-  columns.push_back({"mean", 0, 0, crews});
+  columns.push_back({"mean", 0, 0, crews, true});
   return columns;
 }
 
@@ -80,10 +81,10 @@ TableValue value_of(const RowResults& row, const Column& column, Metric metric) 
 std::optional<double> paper_value(const PaperTables& paper, const Experiment& experiment,
                                   Metric metric, const std::string& row, const Column& column,
                                   const std::vector<Column>& columns) {
-  if (column.name != "mean") return paper.find(experiment.paper, metric, row, column.name);
+  if (!column.is_mean) return paper.find(experiment.paper, metric, row, column.name);
   double sum = 0.0;
   for (const Column& other : columns) {
-    if (other.name == "mean") continue;
+    if (other.is_mean) continue;
     const auto value = paper.find(experiment.paper, metric, row, other.name);
     if (!value) return std::nullopt;
     sum += *value;
@@ -97,7 +98,7 @@ Spread overall(const RowResults& row, const std::vector<Column>& columns, Metric
   std::vector<double> starts;
   std::size_t counted = 0;
   for (const Column& column : columns) {
-    if (column.name == "mean") continue;
+    if (column.is_mean) continue;
     ++counted;
     const std::vector<double> means = seed_means(row, column, metric);
     for (std::size_t s = 0; s < means.size(); ++s) seeds[s] += means[s];
@@ -132,6 +133,11 @@ JudgedClaim judge(const Claim& claim, const Experiment& experiment,
 std::optional<double> TableValue::ratio() const {
   if (!paper || *paper == 0.0) return std::nullopt;
   return mean / *paper;
+}
+
+bool TableRow::has_paper() const {
+  return std::any_of(values.begin(), values.end(),
+                     [](const TableValue& value) { return value.paper.has_value(); });
 }
 
 const char* name_of(JudgedClaim::Verdict verdict) {

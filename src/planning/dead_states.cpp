@@ -2,13 +2,12 @@
 
 #include <algorithm>
 #include <memory>
-#include <unordered_set>
 
 #include "linewright/allocation/advance.hpp"
 #include "linewright/allocation/allocator.hpp"
 #include "linewright/planning/episode.hpp"
 #include "linewright/planning/planner.hpp"
-#include "linewright/planning/state_key.hpp"
+#include "search_futures.hpp"
 
 namespace linewright {
 namespace {
@@ -20,13 +19,15 @@ class Search {
       : simulator_(simulator),
         options_(options),
         cancel_(cancel),
-        allocator_(make_allocator("sap", simulator)) {}
+        allocator_(make_allocator("sap", simulator)) {
+    for (std::size_t t = 0; t < simulator.line().tasks.size(); ++t) tasks_.emplace_back(t);
+  }
 
   Liveness run(SimulationState state) {
     state.horizon = kMaxTicks;  // deadness is not a question of time
     if (state.status == RunStatus::kHorizon) state.status = RunStatus::kRunning;
     if (some_rollout_finishes(state)) return {Liveness::Verdict::kAlive, 0};
-    return exhaust(std::move(state));
+    return exhaust(state);
   }
 
  private:
@@ -54,37 +55,21 @@ class Search {
 
   void selectable_tasks(const SimulationState& state) {
     choices_.clear();
-    for (std::size_t t = 0; t < simulator_.line().tasks.size(); ++t) {
-      if (state.is_selectable(TaskId(t))) choices_.emplace_back(t);
+    for (const TaskId task : tasks_) {
+      if (state.is_selectable(task)) choices_.push_back(task);
     }
   }
 
-  /// Depth first over the decisions; a state seen before is not entered again.
-  Liveness exhaust(SimulationState start) {
-    std::unordered_set<StateKey, StateKeyHash> seen;
-    std::vector<SimulationState> open;
-    open.push_back(std::move(start));
-    while (!open.empty()) {
-      if (cancel_ != nullptr && cancel_->requested())
-        return {Liveness::Verdict::kUnknown, seen.size()};
-      SimulationState state = std::move(open.back());
-      open.pop_back();
-      const RunStatus status = advance_and_join(simulator_, state, *allocator_);
-      if (status == RunStatus::kFinished) return {Liveness::Verdict::kAlive, seen.size()};
-      if (status != RunStatus::kDecision) continue;
-      if (!seen.insert(state_key(simulator_, state, scratch_)).second) continue;
-      if (seen.size() > options_.max_states) return {Liveness::Verdict::kUnknown, seen.size()};
-      if (!state.events.empty()) {  // waiting is tried last
-        open.push_back(state);
-        simulator_.wait(open.back());
-      }
-      selectable_tasks(state);
-      for (auto task = choices_.rbegin(); task != choices_.rend(); ++task) {
-        open.push_back(state);
-        simulator_.assign(open.back(), allocator_->allocate(state, *task));
-      }
-    }
-    return {Liveness::Verdict::kDead, seen.size()};
+  Liveness exhaust(const SimulationState& start) {
+    const planning::SearchedFutures futures = planning::search_futures(
+        simulator_, *allocator_, start,
+        {.order = tasks_,
+         .most = options_.max_states,
+         .give_up = [&] { return cancel_ != nullptr && cancel_->requested(); },
+         .known = {}});
+    if (!futures.finishes) return {Liveness::Verdict::kUnknown, futures.seen.size()};
+    return {*futures.finishes ? Liveness::Verdict::kAlive : Liveness::Verdict::kDead,
+            futures.seen.size()};
   }
 
   static constexpr std::size_t kLongestRollout = 100'000;
@@ -93,8 +78,8 @@ class Search {
   const DeadStateOptions& options_;
   const CancelToken* cancel_;
   std::unique_ptr<Allocator> allocator_;
+  std::vector<TaskId> tasks_;
   std::vector<TaskId> choices_;
-  std::vector<std::int32_t> scratch_;
 };
 
 /// One random run with the states before each of its decisions.

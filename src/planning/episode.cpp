@@ -18,10 +18,6 @@ std::optional<Assignment> complete_decision(const SimulationState& state, const 
   return decision.assignment ? *decision.assignment : allocator.allocate(state, *decision.task);
 }
 
-}  // namespace
-
-namespace {
-
 /// Adds the time between its beginning and its end.
 class Stopwatch {
  public:

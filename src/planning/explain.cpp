@@ -1,9 +1,5 @@
 #include "linewright/planning/explain.hpp"
 
-#include <fmt/format.h>
-
-#include <algorithm>
-
 #include "linewright/allocation/advance.hpp"
 #include "linewright/base/tick.hpp"
 
@@ -67,76 +63,6 @@ DecisionExplanation::Member member_of(const Simulator& simulator, const Simulati
   return member;
 }
 
-/// "human.0": numbered within its kind.
-std::string worker_name(const LineModel& line, const SimulationState& state, std::size_t worker) {
-  const std::int16_t kind = state.workers[worker].kind;
-  std::size_t number = 0;
-  for (std::size_t w = 0; w < worker; ++w) number += state.workers[w].kind == kind ? 1 : 0;
-  return fmt::format("{}.{}", line.worker_kinds[static_cast<std::size_t>(kind)].name, number);
-}
-
-std::string carrier_name(const LineModel& line, const SimulationState& state, std::size_t carrier) {
-  const std::int16_t kind = state.carriers[carrier].kind;
-  std::size_t number = 0;
-  for (std::size_t c = 0; c < carrier; ++c) number += state.carriers[c].kind == kind ? 1 : 0;
-  return fmt::format("{}.{}", line.carrier_kinds[static_cast<std::size_t>(kind)].name, number);
-}
-
-std::string crew_text(const LineModel& line, const SimulationState& state,
-                      const Assignment& assignment) {
-  std::vector<std::string> names;
-  const auto& crew = line.tasks[assignment.task.index()].crew;
-  for (std::size_t slot = 0; slot < crew.size(); ++slot) {
-    if (assignment.members[slot] < 0) {
-      names.push_back(fmt::format("a {} later", crew[slot].role));
-      continue;
-    }
-    const auto member = static_cast<std::size_t>(assignment.members[slot]);
-    names.push_back(crew[slot].worker ? worker_name(line, state, member)
-                                      : carrier_name(line, state, member));
-  }
-  return fmt::format("{}", fmt::join(names, ", "));
-}
-
-std::string alternatives_text(const LineModel& line, const DecisionExplanation& explanation) {
-  std::string text;
-  for (const auto& alternative : explanation.alternatives) {
-    const bool chosen = explanation.assignment && explanation.assignment->task == alternative.task;
-    text +=
-        fmt::format("    {} {}: ", chosen ? "*" : " ", line.tasks[alternative.task.index()].name);
-    if (alternative.ruled_out) {
-      text += "ruled out: the order could not be finished after it\n";
-    } else if (alternative.estimate) {
-      text += fmt::format("the run would end at about {}\n", *alternative.estimate);
-    } else {
-      text += "the simple rule that estimates does not finish after it\n";
-    }
-  }
-  return text;
-}
-
-std::string member_text(const LineModel& line, const SimulationState& state,
-                        const DecisionExplanation::Member& member) {
-  std::vector<std::string> ways;
-  std::string chosen = "nobody yet";
-  for (const auto& candidate : member.candidates) {
-    const std::string name = worker_name(line, state, candidate.worker.index());
-    if (candidate.chosen) chosen = name;
-    if (!member.needed_at) continue;
-    ways.push_back(candidate.way.ticks < 0
-                       ? name + " has no way"
-                       : fmt::format("{} {} ticks, {:.1f} m", name, candidate.way.ticks,
-                                     candidate.way.metres));
-  }
-  std::string text = fmt::format("    {}: {}", member.role, chosen);
-  if (member.candidates.size() == 1) text += ", the only free one";
-  if (member.needed_at) {
-    text += fmt::format("; to {}: {}", line.stations[member.needed_at->index()].name,
-                        fmt::join(ways, "; "));
-  }
-  return text + "\n";
-}
-
 }  // namespace
 
 DecisionExplanation explain_decision(const Simulator& simulator, const SimulationState& state,
@@ -164,23 +90,6 @@ DecisionExplanation explain_decision(const Simulator& simulator, const Simulatio
       explanation.members.push_back(member_of(simulator, state, *decision.assignment, slot));
   }
   return explanation;
-}
-
-std::string explanation_text(const Simulator& simulator, const SimulationState& state,
-                             const DecisionExplanation& explanation) {
-  const LineModel& line = simulator.line();
-  std::string text = fmt::format("tick {}: ", explanation.tick);
-  text += explanation.assignment
-              ? fmt::format("{} by {}\n", line.tasks[explanation.assignment->task.index()].name,
-                            crew_text(line, state, *explanation.assignment))
-              : "waits\n";
-  text += "  could be chosen (* was):\n" + alternatives_text(line, explanation);
-  if (!explanation.members.empty()) text += "  who:\n";
-  for (const auto& member : explanation.members) text += member_text(line, state, member);
-  if (!explanation.unselectable.empty()) text += "  could not be chosen:\n";
-  for (const auto& task : explanation.unselectable)
-    text += fmt::format("      {}: {}\n", line.tasks[task.task.index()].name, task.reason);
-  return text;
 }
 
 }  // namespace linewright

@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <bit>
 #include <numeric>
-#include <unordered_set>
 
 #include "linewright/allocation/advance.hpp"
 #include "linewright/base/tick.hpp"
 #include "reach.hpp"
+#include "search_futures.hpp"
 
 namespace linewright {
 namespace {
@@ -140,36 +140,23 @@ bool Shield::finishes(SimulationState& state, const Rule& rule) {
   return true;
 }
 
-/// Depth first over decisions and waiting; a state seen before is not entered again.
 Shield::Verdict Shield::search(const SimulationState& start, std::size_t most) {
   ++statistics_.searches;
-  std::unordered_set<StateKey, StateKeyHash> seen;
-  std::vector<SimulationState> open{start};
-  while (!open.empty()) {
-    SimulationState state = std::move(open.back());
-    open.pop_back();
-    const RunStatus status = advance_and_join(simulator_, state, *allocator_);
-    if (status == RunStatus::kFinished) return Verdict::kSafe;
-    if (status != RunStatus::kDecision) continue;
-    const StateKey key = state_key(simulator_, state, scratch_);
-    if (const auto known = known_.find(key); known != known_.end()) {
-      if (known->second == Verdict::kSafe) return Verdict::kSafe;
-      if (known->second == Verdict::kFatal) continue;
+  const auto known = [&](const SimulationState& state, const StateKey& key) -> std::optional<bool> {
+    const auto found = known_.find(key);
+    if (found != known_.end() && found->second != Verdict::kUnknown) {
+      return found->second == Verdict::kSafe;
     }
-    if (!seen.insert(key).second || !reach_->may_finish(state)) continue;
+    if (!reach_->may_finish(state)) return false;
     ++statistics_.states;
-    if (seen.size() > most) return Verdict::kUnknown;
-    if (!state.events.empty()) {  // waiting is tried last
-      open.push_back(state);
-      simulator_.wait(open.back());
-    }
-    for (auto task = rules_[0].order.rbegin(); task != rules_[0].order.rend(); ++task) {
-      if (!state.is_selectable(*task)) continue;
-      open.push_back(state);
-      simulator_.assign(open.back(), allocator_->allocate(state, *task));
-    }
-  }
-  for (const StateKey& key : seen) known_[key] = Verdict::kFatal;
+    return std::nullopt;
+  };
+  const planning::SearchedFutures futures = planning::search_futures(
+      simulator_, *allocator_, start,
+      {.order = rules_[0].order, .most = most, .give_up = {}, .known = known});
+  if (!futures.finishes) return Verdict::kUnknown;
+  if (*futures.finishes) return Verdict::kSafe;
+  for (const StateKey& key : futures.seen) known_[key] = Verdict::kFatal;
   return Verdict::kFatal;
 }
 

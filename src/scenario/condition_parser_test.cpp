@@ -43,21 +43,7 @@ bool holds(const Comparison& c, const Values& values) {
   for (const Term& term : c.terms) {
     sum += term.coefficient * values[static_cast<std::size_t>(term.variable.index)];
   }
-  switch (c.relation) {
-    case Relation::kEqual:
-      return sum == 0;
-    case Relation::kNotEqual:
-      return sum != 0;
-    case Relation::kLess:
-      return sum < 0;
-    case Relation::kLessEqual:
-      return sum <= 0;
-    case Relation::kGreater:
-      return sum > 0;
-    case Relation::kGreaterEqual:
-      return sum >= 0;
-  }
-  return false;
+  return relation_holds(sum, c.relation);
 }
 
 bool holds(const Condition& condition, const Values& values) {

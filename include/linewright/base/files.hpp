@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace linewright {
 
@@ -20,5 +21,12 @@ void write_file(const std::string& path, std::string_view text);
 /// `other`, as named in `file`, in the way the user would name it: relative to the folder of
 /// `file`.
 [[nodiscard]] std::string beside(const std::string& file, const std::string& other);
+
+/// This program's own file; empty when the system does not tell.
+[[nodiscard]] std::string program_file();
+
+/// Where a folder of the repository or the installation may be: here, then beside the program and
+/// in the folders above it. Only those that are there.
+[[nodiscard]] std::vector<std::string> shipped_folders(const std::string& name);
 
 }  // namespace linewright

@@ -33,7 +33,8 @@ struct BoundOptions {
                                               const BoundOptions& options = {},
                                               const CancelToken* cancel = nullptr);
 
-/// (upper - lower) / lower: how far a makespan is from the bound, at most from the best possible.
+/// (upper - lower) / lower: how far a makespan is from the bound (>= 1 tick), at most from the
+/// best possible.
 [[nodiscard]] double gap(Tick upper, Tick lower);
 
 }  // namespace linewright

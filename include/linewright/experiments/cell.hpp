@@ -30,14 +30,14 @@ struct ExperimentCell {
 /// start.
 struct CellResult {
   struct Crew {
-    std::string name;  ///< "H2R1"
-    std::vector<Tick> makespan;
+    std::string name;                    ///< "H2R1"
+    std::vector<Tick> makespan;          ///< of a failed run: its horizon
     std::vector<std::uint8_t> finished;  ///< 1: the order was finished
-    std::vector<double> progress;
+    std::vector<double> progress;        ///< share of the order that was finished, 0 to 1
     std::vector<double> distance_m;
   };
   std::vector<Crew> crews;
-  double wall_s = 0.0;
+  double wall_s = 0.0;  ///< seconds that the runs took
 };
 
 /// What the results of a cell depend on, hashed: 16 hex digits. The contents of the scenario and of

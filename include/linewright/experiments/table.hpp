@@ -14,7 +14,7 @@ namespace linewright {
 /// The results of one row: [training seed][order]; planners that are not trained have one "seed".
 using RowResults = std::vector<std::vector<CellResult>>;
 
-/// One number of a table.
+/// One number of a table, in the metric's unit.
 struct TableValue {
   double mean = 0.0;
   /// Half-width of the 95 % interval (Student's t): over training seeds where there are several,
@@ -30,6 +30,8 @@ struct TableRow {
   std::string name;
   std::size_t seeds = 1;           ///< training seeds
   std::vector<TableValue> values;  ///< by column
+
+  [[nodiscard]] bool has_paper() const;  ///< for any column
 };
 
 /// One metric of an experiment.
@@ -62,7 +64,8 @@ struct ExperimentResult {
 };
 
 /// Puts the results of all rows together. `results`: by row; each seed with as many orders as the
-/// experiment has and the same crews and trials. With `paper` its figures stand beside.
+/// experiment has and the same crews and trials; throws std::out_of_range where one is missing.
+/// With `paper` its figures stand beside.
 [[nodiscard]] ExperimentResult make_tables(const Experiment& experiment,
                                            const std::vector<RowResults>& results,
                                            const PaperTables* paper = nullptr);

@@ -51,9 +51,4 @@ struct DecisionExplanation {
                                                    const GuardedDecision& decision, Planner& base,
                                                    Allocator& allocator);
 
-/// The explanation for a person to read, several lines, each ended by a newline. Names are those of
-/// the event log.
-[[nodiscard]] std::string explanation_text(const Simulator& simulator, const SimulationState& state,
-                                           const DecisionExplanation& explanation);
-
 }  // namespace linewright
