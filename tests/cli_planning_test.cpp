@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
@@ -246,6 +247,61 @@ TEST(Cli, ReproduceTrainsWhatIsMissingAndNothingTwice) {
   EXPECT_EQ(linewright(command).out, first.out);
   EXPECT_EQ(std::filesystem::last_write_time(policy), written);
   std::filesystem::remove_all(folder);
+}
+
+/// A program in place of Python: what it says is what the solver has proven.
+std::string solver_saying(const std::string& body) {
+  const std::string file = temporary("solver.sh");
+  std::ofstream(file) << "#!/bin/sh\n" << body << "\n";
+  std::filesystem::permissions(file, std::filesystem::perms::owner_all);
+  return file;
+}
+
+const char* const kBoundOfOne =
+    "bound scenarios/duct_line.yaml --humans 3 --robots 3 --order 2 --states 0 --json --solver "
+    "cp-sat --python ";
+
+TEST(Cli, BoundTakesWhatASolverProves) {
+  const std::string solver = solver_saying(
+      "cat >/dev/null; echo '{\"bound\":340,\"closed\":0,\"cases\":2}'; echo "
+      "'{\"bound\":350,\"closed\":2,\"cases\":2}'");
+  const Output output = linewright(kBoundOfOne + solver);
+  ASSERT_EQ(output.code, 0) << output.err;
+  const Json json = Json::parse(output.out);
+  EXPECT_EQ(json["name"], "joint:cp_sat");
+  EXPECT_EQ(json["bound"], 350);
+  EXPECT_GE(json["found"], 350);
+}
+
+TEST(Cli, BoundSaysWhatASolverIsMissing) {
+  Output output = linewright(std::string(kBoundOfOne) + "/no/such/python");
+  EXPECT_EQ(output.code, 2);
+  EXPECT_NE(output.err.find("there is no such program"), std::string::npos) << output.err;
+  EXPECT_NE(output.err.find("pip install ortools"), std::string::npos) << output.err;
+  output = linewright(kBoundOfOne + solver_saying("echo no ortools here >&2; exit 1"));
+  EXPECT_EQ(output.code, 2);
+  EXPECT_NE(output.err.find("no ortools here"), std::string::npos) << output.err;
+  output = linewright(kBoundOfOne + solver_saying("cat >/dev/null; echo nonsense"));
+  EXPECT_EQ(output.code, 2);
+  EXPECT_NE(output.err.find("nonsense"), std::string::npos) << output.err;
+}
+
+/// With LINEWRIGHT_ORTOOLS naming a Python that has ortools: what it proves is below what is known.
+TEST(Cli, BoundByCpSatIsBelowTheBestRun) {
+  const char* python = std::getenv("LINEWRIGHT_ORTOOLS");
+  if (python == nullptr) GTEST_SKIP() << "LINEWRIGHT_ORTOOLS names no Python with ortools";
+  for (const char* run : {" --humans 2 --robots 1 --order 1", " --humans 1 --robots 2 --order 2"}) {
+    const std::string line = std::string(" scenarios/duct_line.yaml --json") + run;
+    const Output solved = linewright("solve" + line + " --agents free --wait --rollouts 2000");
+    ASSERT_EQ(solved.code, 0) << solved.err;
+    const Output output = linewright("bound" + line +
+                                     " --states 0 --makespan 900 --solver cp-sat "
+                                     "--budget 5s --python " +
+                                     python);
+    ASSERT_EQ(output.code, 0) << output.err;
+    EXPECT_LE(Json::parse(output.out)["bound"], Json::parse(solved.out)["runs"][0]["makespan"])
+        << run;
+  }
 }
 
 }  // namespace

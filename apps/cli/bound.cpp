@@ -1,10 +1,12 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <fstream>
 #include <memory>
 #include <nlohmann/json.hpp>
 
 #include "common.hpp"
+#include "joint_bound.hpp"
 #include "linewright/base/diagnostic.hpp"
 #include "linewright/bounds/lower_bounds.hpp"
 #include "linewright/evaluation/log_document.hpp"
@@ -21,6 +23,9 @@ struct BoundArguments {
   std::size_t starts = 1;
   std::optional<Tick> makespan;
   std::string log;
+  std::string solver = "none";
+  std::string budget = "60s";
+  std::string python = "python3";
 };
 
 /// Bounds of one crew and start, and the makespan that they are compared with.
@@ -29,6 +34,7 @@ struct Report {
   std::uint64_t seed = 0;
   RunSetup setup;
   std::vector<Bound> bounds;
+  std::optional<Tick> found;  ///< with a solver: a makespan that can be reached
 };
 
 /// The setup and the makespan of a recorded run.
@@ -49,7 +55,20 @@ std::pair<RunSetup, std::optional<Tick>> recorded(const BoundArguments& argument
   return {run.setup, run.makespan};
 }
 
-std::vector<Report> reports_of(BoundArguments& arguments, const LineModel& line) {
+/// Adds what the solver proves, the best bound first.
+void prove(const BoundArguments& arguments, const Scenario& scenario, Report& report) {
+  if (arguments.solver == "none" || interrupted().requested()) return;
+  JointBound joint =
+      joint_bound(scenario, report.setup, arguments.makespan,
+                  {.budget_ns = parse_budget_ns(arguments.budget), .python = arguments.python});
+  if (!arguments.makespan) report.found = joint.found;
+  report.bounds.push_back(std::move(joint.bound));
+  std::stable_sort(report.bounds.begin(), report.bounds.end(),
+                   [](const Bound& a, const Bound& b) { return a.ticks > b.ticks; });
+}
+
+std::vector<Report> reports_of(BoundArguments& arguments, const Scenario& scenario) {
+  const LineModel& line = scenario.line;
   std::vector<Report> reports;
   if (!arguments.log.empty()) {
     if (arguments.makespan) {
@@ -74,6 +93,7 @@ std::vector<Report> reports_of(BoundArguments& arguments, const LineModel& line)
   }
   for (Report& report : reports) {
     report.bounds = lower_bounds(line, report.setup, arguments.options, &interrupted());
+    prove(arguments, scenario, report);
   }
   return reports;
 }
@@ -88,6 +108,10 @@ Json to_json(const BoundArguments& arguments, const LineModel& line, const Repor
   if (arguments.makespan) {
     object["makespan"] = *arguments.makespan;
     object["gap"] = gap(*arguments.makespan, report.bounds[0].ticks);
+  }
+  if (report.found) {
+    object["found"] = *report.found;
+    object["found_gap"] = gap(*report.found, report.bounds[0].ticks);
   }
   object["bounds"] = Json::array();
   for (const Bound& bound : report.bounds) {
@@ -109,17 +133,26 @@ std::string to_text(const BoundArguments& arguments, const LineModel& line, cons
     text += fmt::format("\nmakespan {}, bound {}: gap {}\n", *arguments.makespan, best.ticks,
                         percent(gap(*arguments.makespan, best.ticks), 1));
   }
+  if (report.found) {
+    text += fmt::format("\na run of {} ticks is known; bound {}: gap {}\n", *report.found,
+                        best.ticks, percent(gap(*report.found, best.ticks), 1));
+  }
   return text;
 }
 
 /// Several crews or starts: a row each, and the mean.
 std::string to_table(const std::vector<Report>& reports) {
+  const bool found = reports[0].found.has_value();
   std::vector<std::vector<std::string>> rows{{"crew", "seed", "bound", "by"}};
+  if (found) rows[0].insert(rows[0].end(), {"found", "gap"});
   double sum = 0.0;
   for (const Report& report : reports) {
     sum += report.bounds[0].ticks;
     rows.push_back({report.crew, std::to_string(report.seed),
                     std::to_string(report.bounds[0].ticks), report.bounds[0].name});
+    if (!found) continue;
+    rows.back().push_back(std::to_string(*report.found));
+    rows.back().push_back(percent(gap(*report.found, report.bounds[0].ticks), 1));
   }
   return text_table(rows) +
          fmt::format("mean of the bounds {:.1f}\n", sum / static_cast<double>(reports.size()));
@@ -137,7 +170,7 @@ void check_makespan(const BoundArguments& arguments, const std::vector<Report>& 
 
 int bound(BoundArguments& arguments) {
   const Scenario scenario = load(arguments.run.scenario);
-  const std::vector<Report> reports = reports_of(arguments, scenario.line);
+  const std::vector<Report> reports = reports_of(arguments, scenario);
   if (interrupted().requested()) {
     report("interrupted: not every bound is complete");
     return kInterrupted;
@@ -172,6 +205,18 @@ Command add_bound(CLI::App& app) {
       ->capture_default_str()
       ->check(CLI::Range(std::size_t{0}, std::size_t{10'000'000}))
       ->type_name("N");
+  app.add_option("--solver", arguments->solver,
+                 "Also prove a bound of all resources at once, with Google's CP-SAT: cp-sat, or "
+                 "none (needs Python with ortools)")
+      ->capture_default_str()
+      ->check(CLI::IsMember({"none", "cp-sat"}))
+      ->type_name("NAME");
+  app.add_option("--budget", arguments->budget, "With --solver: time per start: 10s, 5min")
+      ->capture_default_str()
+      ->type_name("TIME");
+  app.add_option("--python", arguments->python, "With --solver: the Python that has ortools")
+      ->capture_default_str()
+      ->type_name("PROGRAM");
   app.add_option("--makespan", arguments->makespan, "A makespan to compare the bound with: the gap")
       ->check(CLI::PositiveNumber)
       ->type_name("TICKS");
@@ -182,7 +227,8 @@ Command add_bound(CLI::App& app) {
       "A bound holds for every planner and every allocator (docs/bounds.md). "
       "gap = (makespan - bound) / bound.\n"
       "Example:\n  linewright bound scenarios/duct_line.yaml --humans 2 --robots 2 --seed 1 "
-      "--makespan 760");
+      "--makespan 760\n  linewright bound scenarios/duct_line.yaml --humans 2 --robots 2 --solver "
+      "cp-sat --budget 30s --python ortools/bin/python");
   return [arguments] { return bound(*arguments); };
 }
 

@@ -225,6 +225,26 @@ std::int64_t clock_ns() {
       .count();
 }
 
+std::int64_t parse_budget_ns(std::string_view text) {
+  constexpr double kMost = 1e6;  // seconds
+  double number = 0.0;
+  const auto parsed = std::from_chars(text.data(), text.data() + text.size(), number);
+  const std::string_view unit(parsed.ptr, text.data() + text.size());
+  const double scale = unit == "ms" ? 1e-3 : unit == "s" ? 1.0 : unit == "min" ? 60.0 : 0.0;
+  if (parsed.ec != std::errc() || scale == 0.0) {
+    throw ScenarioError({}, fmt::format("--budget: {} is no time", in_quotes(text)),
+                        "write 500ms, 60s or 5min");
+  }
+  if (!(number > 0.0) || number * scale > kMost) {
+    throw ScenarioError({},
+                        fmt::format("--budget: {} leaves nothing to search with, or is more than "
+                                    "{:.0f} s",
+                                    in_quotes(text), kMost),
+                        "write a time above zero, such as 60s");
+  }
+  return std::max<std::int64_t>(1, static_cast<std::int64_t>(number * scale * 1e9));
+}
+
 PlannerContext planner_context(const Scenario& scenario, const std::string& allocator) {
   return {.allocator = allocator,
           .now_ns = clock_ns,

@@ -77,6 +77,10 @@ void add_close_option(CLI::App& app, RunArguments& arguments);
 /// Nanoseconds of a clock that never goes back.
 [[nodiscard]] std::int64_t clock_ns();
 
+/// The time that `--budget` gives: "500ms", "60s", "5min". Throws ScenarioError for anything else
+/// and for times that leave nothing.
+[[nodiscard]] std::int64_t parse_budget_ns(std::string_view text);
+
 /// What planners of a command may use. With a clock, and stopped by Ctrl-C.
 [[nodiscard]] PlannerContext planner_context(const Scenario& scenario,
                                              const std::string& allocator);

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <sstream>
@@ -45,32 +44,12 @@ struct Solved {
   double progress = 0.0;
 };
 
-std::int64_t parse_time_ns(std::string_view text) {
-  constexpr double kMost = 1e6;  // seconds
-  double number = 0.0;
-  const auto parsed = std::from_chars(text.data(), text.data() + text.size(), number);
-  const std::string_view unit(parsed.ptr, text.data() + text.size());
-  const double scale = unit == "ms" ? 1e-3 : unit == "s" ? 1.0 : unit == "min" ? 60.0 : 0.0;
-  if (parsed.ec != std::errc() || scale == 0.0) {
-    throw ScenarioError({}, fmt::format("--budget: {} is no time", in_quotes(text)),
-                        "write 500ms, 60s or 5min");
-  }
-  if (!(number > 0.0) || number * scale > kMost) {
-    throw ScenarioError({},
-                        fmt::format("--budget: {} leaves nothing to search with, or is more than "
-                                    "{:.0f} s",
-                                    in_quotes(text), kMost),
-                        "write a time above zero, such as 60s");
-  }
-  return std::max<std::int64_t>(1, static_cast<std::int64_t>(number * scale * 1e9));
-}
-
 SolveOptions options_of(const SolveArguments& arguments, std::uint64_t seed) {
   SolveOptions options{.free_agents = arguments.agents == "free",
                        .wait = arguments.wait,
                        .rollouts = arguments.rollouts,
                        .seed = seed};
-  if (arguments.rollouts == 0) options.budget_ns = parse_time_ns(arguments.budget);
+  if (arguments.rollouts == 0) options.budget_ns = parse_budget_ns(arguments.budget);
   for (const std::string& list : arguments.warm_starts) {
     for (std::string& planner : split_planners(list)) {
       options.warm_starts.push_back(std::move(planner));
