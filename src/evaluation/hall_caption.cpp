@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <numeric>
 #include <vector>
 
 #include "hall_marks.hpp"
@@ -122,9 +123,15 @@ class CaptionWriter {
  private:
   void write_workers() {
     left_.head("WHO DOES WHAT");
-    const std::size_t count = std::min(scene_.workers.size(), kMostRows);
-    for (std::size_t w = 0; w < count; ++w) write_worker(w);
-    left_.more(scene_.workers.size() - count, "workers");
+    std::vector<std::size_t> order(scene_.workers.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    if (order.size() > kMostRows) {  // then those who do something come first
+      std::stable_partition(order.begin(), order.end(),
+                            [&](std::size_t w) { return scene_.workers[w].doing.has_value(); });
+    }
+    const std::size_t count = std::min(order.size(), kMostRows);
+    for (std::size_t i = 0; i < count; ++i) write_worker(order[i]);
+    left_.more(order.size() - count, "workers");
   }
 
   void write_worker(std::size_t w) {

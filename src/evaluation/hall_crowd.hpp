@@ -13,6 +13,12 @@ namespace linewright::hall {
 /// Who stands at one place is drawn side by side.
 class Crowd {
  public:
+  /// Exactly there: who moves is where it is.
+  routes::Pixel take(routes::Pixel at, double radius) {
+    taken_.push_back({at, radius});
+    return at;
+  }
+
   /// The nearest free spot, the place itself if it is free.
   [[nodiscard]] routes::Pixel spot(routes::Pixel at, double radius) {
     constexpr double kAir = 2.0;           // between two, pixels
@@ -40,10 +46,6 @@ class Crowd {
     return std::none_of(taken_.begin(), taken_.end(), [&](const Disc& other) {
       return std::hypot(other.at.x - at.x, other.at.y - at.y) < other.radius + radius;
     });
-  }
-  routes::Pixel take(routes::Pixel at, double radius) {
-    taken_.push_back({at, radius});
-    return at;
   }
 
   std::vector<Disc> taken_;

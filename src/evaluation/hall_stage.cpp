@@ -182,11 +182,17 @@ class StagePainter {
   }
 
   void place_workers() {
-    for (std::size_t w = 0; w < scene_.workers.size(); ++w) {
-      const std::string& kind = header_.workers[w].kind;
-      shapes_.push_back(shape_of(header_, kind, view_.scale));
-      spots_.push_back(
-          crowd_.spot(view_.at(scene_.workers[w].pose.point()), room_of(kind, shapes_.back())));
+    for (const LogWorker& worker : header_.workers) {
+      shapes_.push_back(shape_of(header_, worker.kind, view_.scale));
+    }
+    spots_.resize(shapes_.size());
+    for (const bool moving : {true, false}) {
+      for (std::size_t w = 0; w < spots_.size(); ++w) {
+        if (scene_.workers[w].moving != moving) continue;
+        const Pixel at = view_.at(scene_.workers[w].pose.point());
+        const double room = room_of(header_.workers[w].kind, shapes_[w]);
+        spots_[w] = moving ? crowd_.take(at, room) : crowd_.spot(at, room);
+      }
     }
   }
 
