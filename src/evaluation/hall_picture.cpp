@@ -98,7 +98,7 @@ std::string hall_picture(const LogDocument& log, const HallScene& scene,
                      routes::scale_bar(view, (inner + view.width) / 2.0 - 8.0));
   svg += fmt::format("<g transform=\"translate({} {})\">\n{}</g>\n",
                      coordinate((inner - view.width) / 2.0), coordinate(kHeadHeight),
-                     hall::stage_svg(log, scene, view));
+                     hall::stage_svg(log.header, scene, view));
   svg +=
       fmt::format("<g transform=\"translate(0 {})\">\n{}</g>\n", coordinate(below), legend_svg());
   svg += fmt::format("<g transform=\"translate(0 {})\">\n{}</g>\n</g>\n</svg>\n",

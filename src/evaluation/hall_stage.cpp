@@ -32,12 +32,8 @@ constexpr std::size_t kMostObstacles = 300;  // beyond, names need not keep clea
 
 class StagePainter {
  public:
-  StagePainter(const LogDocument& log, const HallScene& scene, const View& view)
-      : log_(log),
-        header_(log.header),
-        scene_(scene),
-        view_(view),
-        placer_(view.width, view.height) {}
+  StagePainter(const LogHeader& header, const HallScene& scene, const View& view)
+      : header_(header), scene_(scene), view_(view), placer_(view.width, view.height) {}
 
   std::string paint() {
     paint_floor();
@@ -122,8 +118,8 @@ class StagePainter {
     constexpr double kHalf = 4.0;
     const Pixel tip = view_.at(line.back());
     Pixel before = tip;
-    for (auto point = line.rbegin(); point != line.rend(); ++point) {
-      before = view_.at(*point);
+    for (std::size_t i = line.size(); i > 0; --i) {
+      before = view_.at(line[i - 1]);
       if (std::hypot(tip.x - before.x, tip.y - before.y) > kLength) break;
     }
     const double length = std::hypot(tip.x - before.x, tip.y - before.y);
@@ -278,7 +274,6 @@ class StagePainter {
     }
   }
 
-  const LogDocument& log_;
   const LogHeader& header_;
   const HallScene& scene_;
   const View& view_;
@@ -294,8 +289,8 @@ class StagePainter {
 
 }  // namespace
 
-std::string stage_svg(const LogDocument& log, const HallScene& scene, const View& view) {
-  return StagePainter(log, scene, view).paint();
+std::string stage_svg(const LogHeader& header, const HallScene& scene, const View& view) {
+  return StagePainter(header, scene, view).paint();
 }
 
 }  // namespace linewright::hall

@@ -9,7 +9,7 @@
 namespace linewright::hall {
 
 /// Everything in the hall, view.width x view.height.
-[[nodiscard]] std::string stage_svg(const LogDocument& log, const HallScene& scene,
+[[nodiscard]] std::string stage_svg(const LogHeader& header, const HallScene& scene,
                                     const routes::View& view);
 
 }  // namespace linewright::hall
