@@ -29,12 +29,16 @@ void add_watch_options(CLI::App& app, WatchArguments& arguments) {
 }
 
 Watch::Watch(const Scenario& scenario, const WatchArguments& arguments)
-    : scenario_(scenario), ticks_per_second_(arguments.ticks_per_second) {
-  const ServedLog log{.name = scenario.line.name + ".jsonl", .text = text_, .live = true};
-  server_ = std::make_unique<ViewServer>(load_page(), std::vector{log}, arguments.serve.port);
+    : scenario_(scenario), arguments_(arguments), page_(load_page()) {}
+
+void Watch::start(const EventLog& log) {
+  const ServedLog served{.name = scenario_.line.name + ".jsonl", .text = text_, .live = true};
+  text_->append(event_log_header(scenario_, log.setup));
+  server_ = std::make_unique<ViewServer>(page_, std::vector{served}, arguments_.serve.port);
   report(fmt::format("watch the run at {}", server_->address()));
   thread_ = std::thread([this] { server_->run([this](std::size_t n) { return go_on(n); }); });
-  open_browser(server_->address(), arguments.serve);
+  open_browser(server_->address(), arguments_.serve);
+  begun_ = Clock::now();
 }
 
 Watch::~Watch() {
@@ -44,10 +48,7 @@ Watch::~Watch() {
 
 void Watch::follow(const EventLog& log, double progress,
                    const std::vector<DecisionExplanation>& explanations) {
-  if (!begun_) {
-    text_->append(event_log_header(scenario_, log.setup));
-    begun_ = Clock::now();
-  }
+  if (!server_) start(log);
   const std::string lines = event_log_lines(scenario_, log, sent_, progress, explanations);
   std::string_view left = lines;
   while (sent_ < log.events.size() && wait_for(log.events[sent_].tick)) {
@@ -60,8 +61,8 @@ void Watch::follow(const EventLog& log, double progress,
 
 /// False when the command was interrupted before.
 bool Watch::wait_for(Tick tick) {
-  const auto due = *begun_ + std::chrono::duration_cast<Clock::duration>(
-                                 std::chrono::duration<double>(tick / ticks_per_second_));
+  const auto due = begun_ + std::chrono::duration_cast<Clock::duration>(
+                                std::chrono::duration<double>(tick / arguments_.ticks_per_second));
   while (!interrupted().requested()) {
     const auto now = Clock::now();
     if (now >= due) return true;
@@ -74,7 +75,7 @@ void Watch::finish() {
   text_->finish();
   deadline_ = Clock::now() + kFarewell;
   finished_ = true;
-  thread_.join();
+  if (thread_.joinable()) thread_.join();
 }
 
 bool Watch::go_on(std::size_t sending) const {

@@ -4,7 +4,6 @@
 #include <chrono>
 #include <cstddef>
 #include <memory>
-#include <optional>
 #include <string>
 #include <thread>
 #include <vector>
@@ -29,7 +28,7 @@ void add_watch_options(CLI::App& app, WatchArguments& arguments);
 /// there as fast as one can watch it, whatever the simulator's speed.
 class Watch {
  public:
-  /// Starts to serve and says where. Throws ScenarioError when there is no page or no port.
+  /// Throws ScenarioError when there is no page. `scenario` and `arguments` must outlive it.
   Watch(const Scenario& scenario, const WatchArguments& arguments);
   /// Ends the server at once.
   ~Watch();
@@ -37,7 +36,9 @@ class Watch {
   Watch& operator=(const Watch&) = delete;
 
   /// Sends what is new in the log, each event when its tick has come; returns early when the
-  /// command is interrupted. `progress` is that of the final state, once the log has its end.
+  /// command is interrupted. The first time it starts to serve, and says where; throws
+  /// ScenarioError when the port cannot be used. `progress` is that of the final state, once the
+  /// log has its end.
   void follow(const EventLog& log, double progress,
               const std::vector<DecisionExplanation>& explanations);
 
@@ -47,15 +48,17 @@ class Watch {
  private:
   using Clock = std::chrono::steady_clock;
 
+  void start(const EventLog& log);
   bool wait_for(Tick tick);
   [[nodiscard]] bool go_on(std::size_t sending) const;
 
   const Scenario& scenario_;
-  double ticks_per_second_;
+  const WatchArguments& arguments_;
+  std::string page_;
   std::shared_ptr<GrowingText> text_ = std::make_shared<GrowingText>();
   std::unique_ptr<ViewServer> server_;
-  std::size_t sent_ = 0;                    ///< events
-  std::optional<Clock::time_point> begun_;  ///< when the header was sent
+  std::size_t sent_ = 0;  ///< events
+  Clock::time_point begun_;
   std::atomic<bool> stopped_ = false;
   std::atomic<bool> finished_ = false;
   Clock::time_point deadline_;  ///< set before `finished_`

@@ -65,9 +65,10 @@ class MachinePainter {
     marks_.svg += fmt::format("<path class=\"machine {}\" d=\"{}\"><title>{}</title></path>\n",
                               style, data, markup::escaped(header_.machines[machine]));
     if (doing && doing->kind == GanttKind::kWorking) paint_progress(*doing, box);
-    const double x = (box.x0 + box.x1) / 2.0;
-    // Above the progress where there is not much room.
-    const double y = (box.y0 + box.y1) / 2.0 - (box.y1 - box.y0 < 26.0 ? 1.5 : 0.0);
+    // Beside the progress where there is not much room.
+    const bool is_wide = box.x1 - box.x0 >= box.y1 - box.y0;
+    const double x = (box.x0 + box.x1) / 2.0 + (!is_wide && box.x1 - box.x0 < 26.0 ? 2.0 : 0.0);
+    const double y = (box.y0 + box.y1) / 2.0 - (is_wide && box.y1 - box.y0 < 26.0 ? 1.5 : 0.0);
     const std::string ink = style.starts_with('s') ? "l" + style.substr(1) : "";
     marks_.svg += fmt::format("<text class=\"number {}\" x=\"{}\" y=\"{}\">{}</text>\n", ink,
                               coordinate(x), coordinate(y + 3.5), machine + 1);

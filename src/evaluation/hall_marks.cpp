@@ -111,12 +111,13 @@ std::string worker_mark(const Shape& shape, const std::string& style) {
     data = fmt::format("M{0} {1}H{2}V{3}H{0}", coordinate(-front), coordinate(-side),
                        coordinate(front), coordinate(side));
   }
-  const double arrow = std::min(side * 0.55, 5.0);
+  const double arrow = std::min(side * 0.6, 5.0);
+  const std::string ink = style.starts_with('s') ? "l" + style.substr(1) : "full";
   return fmt::format(
       "<path class=\"under\" d=\"{0}Z\"/><path class=\"body {1}\" d=\"{0}Z\"/>"
-      "<path class=\"front\" d=\"M{2} {3}L{4} 0L{2} {5}\"/>",
-      data, style, coordinate(front - 3.0 - arrow), coordinate(-arrow), coordinate(front - 3.0),
-      coordinate(arrow));
+      "<path class=\"{6}\" d=\"M{2} {3}L{4} 0L{2} {5}Z\"/>",
+      data, style, coordinate(front - 2.5 - 1.3 * arrow), coordinate(-arrow),
+      coordinate(front - 2.5), coordinate(arrow), ink);
 }
 
 double TokenMark::width() const {

@@ -242,7 +242,11 @@ class Stage {
     std::size_t budget = std::numeric_limits<std::size_t>::max();
     const auto at_tick = [&](const GanttRow& row) -> std::optional<GanttInterval> {
       for (const GanttInterval& interval : row.intervals) {
-        if (interval.begin <= scene_.tick && scene_.tick < interval.end) return interval;
+        // Where a log breaks off, what is going on there has not ended.
+        const bool goes_on = log_.cut_off && interval.end == log_.end.tick;
+        if (interval.begin <= scene_.tick && (scene_.tick < interval.end || goes_on)) {
+          return interval;
+        }
       }
       return std::nullopt;
     };

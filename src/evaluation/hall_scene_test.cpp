@@ -104,6 +104,16 @@ TEST(HallScene, ATickBeyondTheEndIsTheEnd) {
   EXPECT_EQ(small_scene(1000).decisions, 2);
 }
 
+TEST(HallScene, WhereALogBreaksOffEverythingGoesOn) {
+  const std::string text = test::small_log();
+  std::istringstream stream(text.substr(0, text.find(R"({"t":16,"event":"operation_start")")));
+  const LogDocument log = read_event_log(stream, "run.jsonl", CutOffLog::kAccept);
+  const HallScene scene = hall_scene(log, 16);
+  EXPECT_EQ(scene.tick, 16);
+  ASSERT_TRUE(scene.workers[0].doing);
+  EXPECT_EQ(scene.workers[0].doing->decision, 1);
+}
+
 TEST(HallScene, WaysThatAreReplacedOrBlockedEndWhereTheLogSays) {
   const LogDocument log = test::read_text(test::zones_log());
   const HallScene turned = hall_scene(log, 4);
