@@ -24,9 +24,13 @@ std::string temporary(const std::string& name) {
   return fmt::format("{}/linewright_cli_{}_{}", ::testing::TempDir(), getpid(), name);
 }
 
-Output linewright(const std::string& arguments) {
+Output linewright(const std::string& arguments) { return linewright_in(".", arguments); }
+
+Output linewright_in(const std::string& folder, const std::string& arguments,
+                     const std::string& program) {
   const std::string errors = temporary("errors.txt");
-  const std::string command = std::string(LINEWRIGHT_CLI) + " " + arguments + " 2>" + errors;
+  const std::string command =
+      fmt::format("cd {} && {} {} 2>{}", folder, program, arguments, errors);
   Output output;
   FILE* pipe = popen(command.c_str(), "r");
   if (pipe == nullptr) return output;

@@ -16,6 +16,10 @@ struct Output {
 /// Runs it with these arguments, from the top of the repository.
 Output linewright(const std::string& arguments);
 
+/// The same from another folder, or with another file of the program.
+Output linewright_in(const std::string& folder, const std::string& arguments,
+                     const std::string& program = LINEWRIGHT_CLI);
+
 std::string read_file(const std::string& file);
 
 /// A path of this process alone: tests run side by side.

@@ -9,7 +9,7 @@ for group in "${@:-build}"; do
   case "$group" in
     build)
       packages+=(g++ cmake ninja-build libyaml-cpp-dev libcli11-dev libfmt-dev nlohmann-json3-dev
-        libpng-dev libgtest-dev libbenchmark-dev)
+        libpng-dev libboost-dev libgtest-dev libbenchmark-dev)
       programs+=(c++ cmake ninja)
       ;;
     learn)  # LibTorch, a BLAS that is not 10 to 20 times slower than it could be, and oneDNN

@@ -128,6 +128,7 @@ Command add_train(CLI::App& app);
 Command add_tune_priority(CLI::App& app);
 Command add_solve(CLI::App& app);
 Command add_reproduce(CLI::App& app);
+Command add_view(CLI::App& app);
 
 /// Becomes the trainer, a program of its own because LibTorch costs 0.4 s at every start.
 /// `arguments`: those of the command line from the word `train` on. Throws ScenarioError when there

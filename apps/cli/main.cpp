@@ -79,6 +79,7 @@ int main(int argc, char** argv) {
       {"evaluate", "Many runs over crews and start positions: makespan, success, distance"},
       {"check", "Everything that is wrong with a scenario, and dead states of the line"},
       {"gantt", "Draw the Gantt chart of an event log"},
+      {"view", "See event logs in a browser: the hall, the Gantt chart, comparisons"},
       {"map", "Facts of a scenario's map; write it for ROS map_server"},
       {"routes", "Routes between all stations: lengths, failures, time of planning, picture"},
       {"bench", "Measure the simulator's speed and fingerprint its behaviour"},
@@ -89,9 +90,9 @@ int main(int argc, char** argv) {
       {"solve", "Search for the best schedule from one start, off-line"},
       {"tune-priority", "Find the best fixed order of the tasks (planner priority:tuned)"}};
   linewright::cli::Command (*const add[])(CLI::App&) = {
-      cli::add_simulate,  cli::add_evaluate, cli::add_check,        cli::add_gantt,  cli::add_map,
-      cli::add_routes,    cli::add_bench,    cli::add_bound,        cli::add_schema, cli::add_train,
-      cli::add_reproduce, cli::add_solve,    cli::add_tune_priority};
+      cli::add_simulate, cli::add_evaluate,  cli::add_check, cli::add_gantt,        cli::add_view,
+      cli::add_map,      cli::add_routes,    cli::add_bench, cli::add_bound,        cli::add_schema,
+      cli::add_train,    cli::add_reproduce, cli::add_solve, cli::add_tune_priority};
   std::vector<std::pair<CLI::App*, cli::Command>> commands;
   for (std::size_t i = 0; i < subcommands.size(); ++i) {
     CLI::App* sub = app.add_subcommand(subcommands[i].first, subcommands[i].second);

@@ -18,7 +18,7 @@ namespace linewright::cli {
 namespace {
 
 Outcome play(const Scenario& scenario, const Simulator& simulator,
-             const SimulateArguments& arguments) {
+             const SimulateArguments& arguments, Watch* watch) {
   Outcome outcome;
   const RunOptions crew = one_crew(arguments.run, simulator.line());
   const RunSetup setup = sample_setup(simulator.line(), crew, arguments.run.seed);
@@ -32,12 +32,16 @@ Outcome play(const Scenario& scenario, const Simulator& simulator,
   EpisodeOptions options{.log = &outcome.log, .cancel = &interrupted(), .shield = shield.get()};
   const auto base = PlannerRegistry::make("first", simulator);
   const auto base_allocator = make_allocator(configuration.allocator, simulator);
-  if (arguments.explain) {
+  const auto explain = [&](const SimulationState& state, const GuardedDecision& decision) {
+    outcome.explained.push_back(
+        explain_decision(simulator, state, decision, *base, *base_allocator));
+    outcome.explanations +=
+        explanation_text(simulator.line(), setup, outcome.explained.back()) + "\n";
+  };
+  if (arguments.explain || watch != nullptr) {
     options.observe = [&](const SimulationState& state, const GuardedDecision& decision) {
-      outcome.explained.push_back(
-          explain_decision(simulator, state, decision, *base, *base_allocator));
-      outcome.explanations +=
-          explanation_text(simulator.line(), setup, outcome.explained.back()) + "\n";
+      if (watch != nullptr) watch->follow(outcome.log, 0.0, outcome.explained);
+      if (arguments.explain) explain(state, decision);
     };
   }
   run_episode(simulator, outcome.state, setup, arguments.run.seed, *planner, *allocator, options);
@@ -102,9 +106,15 @@ int simulate(const SimulateArguments& arguments) {
     throw ScenarioError({}, "--decisions is only read by the planner 'replay'",
                         "add --planner replay");
   }
-  const Outcome outcome =
-      recorded ? play_recorded(simulator, arguments) : play(scenario, simulator, arguments);
-  if (!outcome.state.ended()) {
+  const auto watch =
+      arguments.watch.on ? std::make_unique<Watch>(scenario, arguments.watch) : nullptr;
+  const Outcome outcome = recorded ? play_recorded(simulator, arguments)
+                                   : play(scenario, simulator, arguments, watch.get());
+  if (watch && outcome.state.ended()) {
+    watch->follow(outcome.log, simulator.progress(outcome.state), outcome.explained);
+    watch->finish();
+  }
+  if (!outcome.state.ended() || (watch && interrupted().requested())) {
     report("interrupted: nothing was written");
     return kInterrupted;
   }
@@ -136,9 +146,11 @@ Command add_simulate(CLI::App& app) {
       ->type_name("FILE.jsonl");
   app.add_option("--gantt", arguments->gantt, "Write the Gantt chart here")
       ->type_name("FILE.html|FILE.svg");
+  add_watch_options(app, arguments->watch);
   app.footer(
-      "Example:\n  linewright simulate scenarios/duct_line.yaml --humans 2 --robots 2 "
-      "--log out/run.jsonl --gantt out/run.html");
+      "Examples:\n  linewright simulate scenarios/duct_line.yaml --humans 2 --robots 2 "
+      "--log out/run.jsonl --gantt out/run.html\n"
+      "  linewright simulate scenarios/duct_line.yaml --humans 2 --robots 2 --watch");
   return [arguments] { return simulate(*arguments); };
 }
 

@@ -9,6 +9,7 @@
 #include "linewright/evaluation/recorded_run.hpp"
 #include "linewright/planning/explain.hpp"
 #include "linewright/planning/replay.hpp"
+#include "watch.hpp"
 
 // How `simulate` shows a run.
 namespace linewright::cli {
@@ -16,6 +17,7 @@ namespace linewright::cli {
 /// Options of `simulate`.
 struct SimulateArguments {
   RunArguments run;
+  WatchArguments watch;
   std::string log;
   std::string gantt;
   std::string decisions;
