@@ -6,6 +6,7 @@ import type { Run } from '../run/run';
 import { pickFrom, type Theme } from '../ui/theme';
 import type { Scene } from './crowd';
 import { CARRIER_DECK_M, itemFigure } from './figures';
+import { GRIPPER_M, type Heads } from './heads';
 import type { Layout } from './layout';
 import { ITEM_M } from './material_places';
 
@@ -27,6 +28,7 @@ export class Goods {
     private readonly run: Run,
     private readonly layout: Layout,
     theme: Theme,
+    private readonly heads: Heads,
   ) {
     [...run.materials].forEach((material, i) => this.colours.set(material, pickFrom(theme.materials, i)));
   }
@@ -42,8 +44,10 @@ export class Goods {
       // Several places of one machine share its top, one beside the other.
       const before = spot.atMachine ? (atMachine.get(spot.atMachine) ?? 0) : 0;
       if (spot.atMachine) atMachine.set(spot.atMachine, before + 1);
-      const at = { x: spot.centre[0] + before * ITEM_M, y: spot.centre[1], yaw: 0 };
-      piles.push({ at, ground: spot.ground, columns: spot.columns, of: place.of, count, scale: 1 });
+      const gantry = this.layout.machines.find((machine) => machine.overhead && machine.name === spot.atMachine);
+      const [x, y] = gantry ? this.heads.at(gantry, time) : spot.centre;
+      const at = { x: x + before * ITEM_M, y, yaw: 0 };
+      piles.push({ at, ground: gantry ? GRIPPER_M - 0.2 : spot.ground, columns: spot.columns, of: place.of, count, scale: 1 });
     }
     for (const { id } of header.carriers) {
       const count = material.count(id, time);

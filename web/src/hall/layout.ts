@@ -36,7 +36,7 @@ export function layOut(header: Header, seenAt: ReadonlyMap<string, string> = new
   const bounds = hallBounds(header, stations);
   const blocks = header.obstacles.map((obstacle) => block(obstacle, bounds, header.machines));
   const machines = placeMachines({ header, stations, blocks, bounds, seenAt });
-  const material = placeMaterial({ header, stations, blocks, machines, seenAt });
+  const material = placeMaterial({ header, stations, bounds, blocks, machines, seenAt });
   const span = Math.max(bounds.x1 - bounds.x0, bounds.y1 - bounds.y0);
   return {
     bounds,

@@ -2,7 +2,7 @@
 
 import type { Header, OperationInfo, Point } from '../log/header';
 import { boxOf, contains, distance, middle, nearestOnEdge, type Box } from './geometry';
-import { groundAt, type Block, type StationSpot } from './layout';
+import { groundAt, PLINTH_M, type Block, type StationSpot } from './layout';
 
 export interface MachineSpot {
   name: string;
@@ -26,13 +26,14 @@ export interface MachineTask {
 const SIZE_M = 1.1;
 const REACH_M = 2; // how far in front of a station its machine or material may stand, and half of it behind
 const HEIGHT_M = 1.1;
+const OVERHEAD = /gantry|crane|hoist/i; // and every machine that has positions
 
 export function placeMachines(task: MachineTask): MachineSpot[] {
   const { header, blocks } = task;
   const spots = new Map<string, MachineSpot>();
   for (const name of header.machines) {
     const block = blocks.find((candidate) => candidate.machine === name);
-    const area = header.machineAreas.get(name) ?? block?.polygon;
+    const area = block?.polygon ?? header.machineAreas.get(name);
     if (area) spots.set(name, withArea(task, name, area, block));
   }
   const anchors = placeAnchors(task);
@@ -51,10 +52,23 @@ export function placeMachines(task: MachineTask): MachineSpot[] {
 }
 
 function withArea(task: MachineTask, name: string, area: Point[], block: Block | undefined): MachineSpot {
-  const centre = middle(boxOf(area));
-  const overhead = (task.header.machinePositions.get(name)?.length ?? 0) > 0;
+  const box = boxOf(area);
+  const centre = middle(box);
+  const overhead = !block && ((task.header.machinePositions.get(name)?.length ?? 0) > 0 || OVERHEAD.test(name));
   const ground = block || overhead ? 0 : groundAt(task.blocks, centre);
-  return { name, centre, area, ground, height: block?.height ?? HEIGHT_M, known: true, block: block !== undefined, overhead };
+  const height = block?.height ?? heightOf(box.x1 - box.x0, box.y1 - box.y0, ground);
+  return { name, centre, area, ground, height, known: true, block: block !== undefined, overhead };
+}
+
+/** Low where it is long (a belt) or stands on something; never so high that it hides what is behind it. */
+function heightOf(length: number, width: number, ground: number): number {
+  const long = isBelt(length, width);
+  if (ground > PLINTH_M) return long ? 0.15 : 0.45;
+  return long ? 0.5 : length * width > 2 ? 0.8 : HEIGHT_M;
+}
+
+export function isBelt(length: number, width: number): boolean {
+  return Math.max(length, width) >= 4 * Math.min(length, width);
 }
 
 function standard(task: MachineTask, name: string, [x, y]: Point, known: boolean): MachineSpot {

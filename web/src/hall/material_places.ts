@@ -16,6 +16,7 @@ export interface MaterialSpot {
 interface MaterialTask {
   header: Header;
   stations: ReadonlyMap<string, StationSpot>;
+  bounds: Box;
   blocks: readonly Block[];
   machines: readonly MachineSpot[];
   seenAt: ReadonlyMap<string, string>;
@@ -57,7 +58,7 @@ function stationSpot(task: MaterialTask, name: string, index: number, count: num
   const shift = (index - (count - 1) / 2) * GAP_M;
   const moved: Point = vertical ? [spot[0], spot[1] + shift] : [spot[0] + shift, spot[1]];
   const block = task.blocks.find((candidate) => contains(candidate.polygon, spot));
-  return block ? clamped(moved, boxOf(block.polygon)) : moved;
+  return clamped(moved, block ? boxOf(block.polygon) : task.bounds);
 }
 
 function clamped([x, y]: Point, box: Box): Point {
@@ -94,7 +95,7 @@ function placeAtMachines(task: MaterialTask, places: string[], spots: Map<string
   const settled = settle(task.header, anchors);
   const fixed = task.machines.filter((machine) => !machine.overhead);
   for (const place of places) {
-    const machine = machineOf(task, fixed, place) ?? nearest(fixed, settledPlace(settled, place));
+    const machine = gantryOf(task, place) ?? machineOf(task, fixed, place) ?? nearest(fixed, settledPlace(settled, place));
     if (!machine) continue;
     spots.set(place, {
       place,
@@ -106,15 +107,25 @@ function placeAtMachines(task: MaterialTask, places: string[], spots: Map<string
   }
 }
 
-/** The machine of the operations that take from the place, else of those that fill it. */
+/** The gantry that holds it, else the machine it was made in, else that of the operations that take it. */
 function machineOf(task: MaterialTask, fixed: MachineSpot[], place: string): MachineSpot | undefined {
-  for (const flow of ['consumes', 'produces'] as const) {
+  for (const flow of ['produces', 'consumes'] as const) {
     for (const operation of task.header.operations.values()) {
       if (!operation[flow].has(place)) continue;
       const names = [...operation.uses, ...operation.claims, ...operation.frees];
       const found = fixed.find((machine) => names.includes(machine.name));
       if (found) return found;
     }
+  }
+  return undefined;
+}
+
+/** An operation that claims a gantry leaves in its gripper what it makes. */
+function gantryOf(task: MaterialTask, place: string): MachineSpot | undefined {
+  for (const operation of task.header.operations.values()) {
+    if (!operation.produces.has(place)) continue;
+    const found = task.machines.find((machine) => machine.overhead && operation.claims.includes(machine.name));
+    if (found) return found;
   }
   return undefined;
 }

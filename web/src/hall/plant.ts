@@ -2,16 +2,15 @@
 // between positions a gantry whose head follows the material.
 
 import { Color, DynamicDrawUsage, Group, InstancedMesh, Matrix4, Mesh, MeshBasicMaterial, MeshLambertMaterial, Quaternion, Vector3 } from 'three';
-import type { Point } from '../log/header';
 import type { MachineInterval } from '../run/machines';
 import type { Run } from '../run/run';
 import type { Theme } from '../ui/theme';
 import { boxOf } from './geometry';
 import { Builder } from './build';
+import { BEAM_M, type Heads } from './heads';
 import type { Layout } from './layout';
-import type { MachineSpot } from './machine_places';
+import { isBelt, type MachineSpot } from './machine_places';
 
-const BEAM_M = 3.3;
 const STILL = new Quaternion();
 
 export class Plant {
@@ -26,6 +25,7 @@ export class Plant {
     private readonly run: Run,
     private readonly layout: Layout,
     private readonly theme: Theme,
+    private readonly headsAt: Heads,
   ) {
     const body = new Builder();
     this.gantries = layout.machines.filter((machine) => machine.overhead);
@@ -53,7 +53,7 @@ export class Plant {
       this.bands.setColorAt(i, this.colour.set(this.stateColour(this.run.machines.at(machine.name, time))));
     });
     this.gantries.forEach((machine, i) => {
-      const [x, y] = this.headAt(machine, time);
+      const [x, y] = this.headsAt.at(machine, time);
       this.heads.setMatrixAt(i, this.matrix.compose(new Vector3(x, 0, -y), STILL, new Vector3(1, 1, 1)));
       this.heads.setColorAt(i, this.colour.set(this.stateColour(this.run.machines.at(machine.name, time))));
     });
@@ -72,28 +72,6 @@ export class Plant {
     return interval ? this.theme[interval.state] : this.theme.machine;
   }
 
-  /** Along the beam, from where the operation takes its items to where it puts them. */
-  private headAt(machine: MachineSpot, time: number): Point {
-    const all = this.run.machines.intervals.get(machine.name) ?? [];
-    let last: MachineInterval | undefined;
-    for (const interval of all) if (interval.begin <= time && interval.state === 'working') last = interval;
-    if (!last) return machine.centre;
-    const operation = this.run.header.operations.get(last.operation);
-    const from = this.spotOf(operation?.consumes.keys()) ?? machine.centre;
-    const to = this.spotOf(operation?.produces.keys()) ?? from;
-    const length = last.end - last.begin;
-    const share = length > 0 ? Math.min(1, (time - last.begin) / length) : 1;
-    return onBeam(machine, [from[0] + share * (to[0] - from[0]), from[1] + share * (to[1] - from[1])]);
-  }
-
-  private spotOf(places: Iterable<string> | undefined): Point | undefined {
-    for (const place of places ?? []) {
-      const spot = this.layout.material.get(place);
-      if (spot) return spot.centre;
-    }
-    return undefined;
-  }
-
   private instanced(geometry: ReturnType<Builder['done']>, material: MeshBasicMaterial | MeshLambertMaterial, count: number): InstancedMesh {
     const mesh = new InstancedMesh(geometry, material, count);
     mesh.instanceMatrix.setUsage(DynamicDrawUsage);
@@ -108,7 +86,7 @@ function addBody(machine: MachineSpot, theme: Theme, body: Builder): void {
   body.prism(area, ground, height, theme.machine);
   const box = boxOf(area);
   const [length, width] = [box.x1 - box.x0, box.y1 - box.y0];
-  if (Math.max(length, width) < 4 * Math.min(length, width)) return;
+  if (!isBelt(length, width)) return;
   // Long and narrow: a belt, with rollers across.
   const along = length > width;
   for (let at = 0.5; at < Math.max(length, width) - 0.2; at += 0.6) {
@@ -128,11 +106,4 @@ function beamSize(machine: MachineSpot): [number, number] {
   const box = boxOf(machine.area);
   const [length, width] = [box.x1 - box.x0, box.y1 - box.y0];
   return length >= width ? [length, 0.3] : [0.3, width];
-}
-
-function onBeam(machine: MachineSpot, [x, y]: Point): Point {
-  const box = boxOf(machine.area);
-  return box.x1 - box.x0 >= box.y1 - box.y0
-    ? [Math.min(box.x1, Math.max(box.x0, x)), (box.y0 + box.y1) / 2]
-    : [(box.x0 + box.x1) / 2, Math.min(box.y1, Math.max(box.y0, y))];
 }

@@ -10,6 +10,7 @@ import { arrange, Crowd, type Scene } from './crowd';
 import { buildFloor, buildRoutes, buildZones } from './floor';
 import { Goods } from './goods';
 import { hallLabels } from './hall_labels';
+import { Heads } from './heads';
 import { Labels } from './labels';
 import { layOut, type Layout } from './layout';
 import { Paths, type Way } from './paths';
@@ -147,8 +148,9 @@ export class HallView {
     }
     const { run, layout, theme } = this;
     const crowd = new Crowd(run.header, theme, layout.agentScale);
-    const goods = new Goods(run, layout, theme);
-    const plant = new Plant(run, layout, theme);
+    const heads = new Heads(run, layout);
+    const goods = new Goods(run, layout, theme, heads);
+    const plant = new Plant(run, layout, theme, heads);
     const zones = buildZones(run.header, theme);
     const all = new Group();
     all.add(buildFloor(layout, run.header, theme), crowd.group, goods.group, plant.group, ...zones.values());

@@ -142,12 +142,21 @@ function kinds(value: Json): Map<string, KindInfo> {
   const all = new Map<string, KindInfo>();
   for (const [kind, about] of entries(value)) {
     if (!isObject(about)) continue;
-    const size = about.footprint_m;
+    const outline = polygon(about.outline_m);
+    const size = outline.length > 0 ? extentOf(outline) : about.footprint_m;
     if (Array.isArray(size)) all.set(kind, { length: number(size[0], 1.2), width: number(size[1], 0.8) });
     else if (typeof about.radius_m === 'number')
       all.set(kind, { length: 2 * about.radius_m, width: 2 * about.radius_m });
   }
   return all;
+}
+
+function extentOf(outline: Point[]): Point {
+  const size = (axis: 0 | 1): number => {
+    const values = outline.map((corner) => corner[axis]);
+    return Math.max(...values) - Math.min(...values);
+  };
+  return [size(0), size(1)];
 }
 
 function bounds(value: Json): Header['bounds'] {

@@ -49,8 +49,26 @@ export function describeTask(run: Run, worker: string, n: number): TaskAccount |
     worker,
     metres,
     sums,
-    steps: steps.map((step) => ({ begin: step.begin, end: step.end, kind: step.kind, text: stepText(run, worker, step) })),
+    steps: inSteps(run, worker, steps),
   };
+}
+
+/** Items that are moved one after the other are one step. */
+function inSteps(run: Run, worker: string, activities: Activity[]): Step[] {
+  const steps: (Step & { items: number })[] = [];
+  let from = '';
+  for (const activity of activities) {
+    const { begin, end, kind, event } = activity;
+    const moved = event?.event === 'transfer' ? `${event.from} ${event.to}` : '';
+    const last = steps[steps.length - 1];
+    if (last && moved !== '' && moved === from && last.end === begin) {
+      last.end = end;
+      last.items += 1;
+      last.text = stepText(run, worker, activity, last.items);
+    } else steps.push({ begin, end, kind, items: 1, text: stepText(run, worker, activity) });
+    from = moved;
+  }
+  return steps;
 }
 
 /** The crew by role, late joiners included. */
@@ -68,7 +86,7 @@ export function crewOf(run: Run, n: number): TaskAccount['crew'] {
   return crew.filter(({ members }) => members.length > 0);
 }
 
-export function stepText(run: Run, worker: string, step: Activity): string {
+export function stepText(run: Run, worker: string, step: Activity, items = 1): string {
   const { event } = step;
   if (step.kind === 'wait') return `waits ${waitReasons(run, worker, step).join(' and ')}`;
   if (event?.event === 'go' || event?.event === 'reroute') {
@@ -79,7 +97,7 @@ export function stepText(run: Run, worker: string, step: Activity): string {
   }
   if (event?.event === 'transfer') {
     const of = materialOf(run, event.from, event.to);
-    return `moves 1 ${of} from ${shown(event.from)} to ${shown(event.to)}`;
+    return `moves ${items} × ${of} from ${shown(event.from)} to ${shown(event.to)}`;
   }
   if (event?.event === 'operation_start') return `operates ${shown(event.operation)}`;
   return step.kind;

@@ -26,10 +26,9 @@ export class App {
   selection: Selection = { kind: 'none' };
   labels: LabelDetail = 'all';
   routes = false;
-  drawnAt = -1;
   private shown: [number, number] = [0, -1]; // indices of the logs A and B; -1: none
   private theme: Theme;
-  private wished = false;
+  wished = false; // a frame is due
   private lastFrame = 0;
   private readonly bar: Bar;
   private readonly messages = new Messages();
@@ -333,7 +332,6 @@ export class App {
     for (const pane of this.panes) pane.draw(clock.time);
     this.transport.draw(this.panes.some((pane) => this.logOf(pane)?.live));
     this.panel.draw(this.panes.map((pane) => pane.run), this.selection, clock.time, this.theme);
-    this.drawnAt = clock.time;
     this.meter.count(now, clock.playing);
     if (clock.playing) this.redraw();
   }

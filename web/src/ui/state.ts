@@ -14,7 +14,7 @@ export interface AgentState {
 }
 
 export interface AppState {
-  ready: boolean; // everything that ends by itself was read, and the picture shows `time`
+  ready: boolean; // everything that ends by itself was read, and all of it was drawn (or it plays)
   time: number;
   last: number;
   playing: boolean;
@@ -39,7 +39,7 @@ export interface AppState {
 export function appState(app: App): AppState {
   const { clock, logs, panes } = app;
   return {
-    ready: logs.every((log) => !log.reading || log.live) && app.drawnAt === clock.time,
+    ready: logs.every((log) => !log.reading || log.live) && (clock.playing || !app.wished),
     time: clock.time,
     last: clock.last,
     playing: clock.playing,
