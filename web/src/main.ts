@@ -17,6 +17,7 @@ Object.assign(window, {
     state: () => app.state(),
     seek: (time: number) => app.seek(time),
     meter: () => app.meter.read(),
+    shownAfterMs: () => app.shownAfterMs,
     pointOf: (run: number, name: string, t: number) => app.panes[run]?.gantt.pointOf(name, t),
   },
 });

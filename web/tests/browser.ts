@@ -15,7 +15,8 @@ export const PLACEHOLDER = '<script type="application/json" id="linewright-logs"
 interface PageApi {
   state: () => AppState;
   seek: (time: number) => void;
-  meter: () => { frames: number; framesPerSecond: number };
+  meter: () => { frames: number; framesPerSecond: number; longestMs: number };
+  shownAfterMs: () => number;
   pointOf: (run: number, name: string, t: number) => { x: number; y: number } | undefined;
 }
 declare global {
@@ -71,6 +72,7 @@ export async function clickChart(page: Page, run: number, row: string, t: number
   const point = await page.evaluate(([r, name, tick]) => window.linewright.pointOf(r, name, tick), [run, row, t] as const);
   if (!point) throw new Error(`the chart has no row ${row}`);
   await page.mouse.click(point.x, point.y);
+  await settled(page);
 }
 
 export async function serve(answer: (request: IncomingMessage, response: ServerResponse) => void): Promise<{ url: string; server: Server }> {

@@ -39,13 +39,13 @@ export class Builder {
   }
 
   /** A standing cylinder or cone. */
-  pillar(radii: [bottom: number, top: number], height: number, at: [number, number, number], colour: string, sides = 14): this {
+  pillar(radii: [bottom: number, top: number], height: number, at: [number, number, number], colour: string, sides = 10): this {
     const move = new Matrix4().makeTranslation(at[0], at[2] + height / 2, -at[1]);
     return this.add(new CylinderGeometry(radii[1], radii[0], height, sides), colour, move);
   }
 
   ball(radius: number, at: [number, number, number], colour: string): this {
-    return this.add(new SphereGeometry(radius, 12, 8), colour, new Matrix4().makeTranslation(at[0], at[2], -at[1]));
+    return this.add(new SphereGeometry(radius, 9, 6), colour, new Matrix4().makeTranslation(at[0], at[2], -at[1]));
   }
 
   prism(polygon: readonly Point[], from: number, height: number, colour: string): this {
@@ -120,11 +120,10 @@ function outward(a: Point, b: Point): Point {
   return [(b[1] - a[1]) / length, -(b[0] - a[0]) / length];
 }
 
-export function discGeometry(radius: number): BufferGeometry {
+export function discGeometry(radius: number, sides: number): BufferGeometry {
   const geometry = new BufferGeometry();
   const positions: number[] = [];
   const colours: number[] = [];
-  const sides = 20;
   for (let i = 0; i < sides; ++i) {
     const [a, b] = [(i / sides) * 2 * Math.PI, ((i + 1) / sides) * 2 * Math.PI];
     positions.push(0, 0, 0, radius * Math.cos(a), 0, -radius * Math.sin(a), radius * Math.cos(b), 0, -radius * Math.sin(b));

@@ -10,6 +10,7 @@ import { shadowMaterial } from './floor';
 import { spread, type Standing } from './spread';
 
 const UP = new Vector3(0, 1, 0);
+const MANY = 40; // of more workers the figures are plain
 const LIFT_M = 0.12; // how far a robot lifts a carrier
 
 /** Where everybody is drawn at one time. */
@@ -41,6 +42,7 @@ function widthOf(header: Header, kind: string): number {
 
 export class Crowd {
   readonly group = new Group();
+  private readonly plain: boolean;
   private readonly figures = new Map<string, { mesh: InstancedMesh; ids: string[] }>(); // by kind
   private readonly shadows: InstancedMesh;
   private readonly rings: InstancedMesh;
@@ -55,6 +57,7 @@ export class Crowd {
     theme: Theme,
     private readonly scale: number,
   ) {
+    this.plain = header.workers.length > MANY;
     const kinds = [...new Set(header.workers.map((worker) => worker.kind))];
     for (const kind of kinds) {
       const ids = header.workers.filter((worker) => worker.kind === kind).map((worker) => worker.id);
@@ -62,12 +65,12 @@ export class Crowd {
     }
     for (const kind of new Set(header.carriers.map((carrier) => carrier.kind))) {
       const ids = header.carriers.filter((carrier) => carrier.kind === kind).map((carrier) => carrier.id);
-      this.addKind(kind, ids, carrierFigure(1.15, 0.8, theme.carrier));
+      this.addKind(kind, ids, carrierFigure(1.15, 0.8, theme.carrier, this.plain));
     }
     const all = header.workers.length + header.carriers.length;
-    this.shadows = this.instanced(discGeometry(0.75), shadowMaterial(), all);
+    this.shadows = this.instanced(discGeometry(0.75, this.plain ? 8 : 16), shadowMaterial(), all);
     this.shadows.renderOrder = -1;
-    const ring = new RingGeometry(0.56, 0.74, 28).rotateX(-Math.PI / 2);
+    const ring = new RingGeometry(0.56, 0.74, this.plain ? 14 : 28).rotateX(-Math.PI / 2);
     this.rings = this.instanced(ring, new MeshBasicMaterial({ transparent: true, opacity: 0.85, depthWrite: false }), header.workers.length);
     this.rings.renderOrder = 0;
   }
@@ -107,9 +110,9 @@ export class Crowd {
   }
 
   private figure(kind: string, colour: string): BufferGeometry {
-    if (kind === 'human') return personFigure(colour);
+    if (kind === 'human') return personFigure(colour, this.plain);
     const size = this.header.kinds.get(kind);
-    return robotFigure(size?.length ?? 1.2, size?.width ?? 0.8, colour);
+    return robotFigure(size?.length ?? 1.2, size?.width ?? 0.8, colour, this.plain);
   }
 
   private addKind(kind: string, ids: string[], figure: BufferGeometry): void {

@@ -32,6 +32,7 @@ export class HallView {
   private readonly ring: Mesh;
   private readonly colours: TaskColours;
   private theme: Theme;
+  private scale = 1;
   private built: { crowd: Crowd; goods: Goods; plant: Plant; zones: Map<string, Mesh>; all: Group } | undefined;
   private routesOf = -1;
   private routeLines: Object3D | undefined;
@@ -46,6 +47,7 @@ export class HallView {
   ) {
     this.theme = theme;
     this.renderer = new WebGLRenderer({ antialias: true, powerPreference: 'high-performance' });
+    this.renderer.debug.checkShaderErrors = false; // asking for them stops the page for a tenth of a second
     this.flat = document.createElement('canvas');
     this.flat.className = 'labels';
     this.renderer.domElement.className = 'stage';
@@ -74,14 +76,15 @@ export class HallView {
   resize(): void {
     const { clientWidth: width, clientHeight: height } = this.host;
     if (width === 0 || height === 0) return;
-    this.renderer.setPixelRatio(Math.min(2, window.devicePixelRatio));
+    this.renderer.setPixelRatio(Math.min(2, window.devicePixelRatio) * this.scale);
     this.renderer.setSize(width, height, false);
     this.eye.resize(width, height);
   }
 
-  draw(time: number): void {
+  draw(time: number, scale: number): void {
     const { built } = this;
     if (!built) return;
+    this.setScale(scale);
     const scene = arrange(this.run, time, this.layout.agentScale);
     this.drawn = scene;
     const colour = (worker: string): string | undefined => this.taskColour(worker, time);
@@ -137,6 +140,12 @@ export class HallView {
   private taskColour(worker: string, time: number): string | undefined {
     const task = taskAt(this.run, worker, time);
     return task === undefined ? undefined : pickFrom(this.theme.tasks, this.colours.of(task).colour);
+  }
+
+  private setScale(scale: number): void {
+    if (scale === this.scale) return;
+    this.scale = scale;
+    this.renderer.setPixelRatio(Math.min(2, window.devicePixelRatio) * scale);
   }
 
   private build(): void {

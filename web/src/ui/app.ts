@@ -10,7 +10,7 @@ import { el } from './dom';
 import type { Picked } from './gantt';
 import { commandsOf } from './commands';
 import { helpDialog, listen } from './keys';
-import { FrameMeter } from './meter';
+import { Fineness, FrameMeter } from './meter';
 import { Messages } from './messages';
 import { Pane } from './pane';
 import { SidePanel, type Selection } from './panel';
@@ -22,6 +22,7 @@ export class App {
   readonly clock = new Clock();
   readonly logs: LoadedLog[] = [];
   readonly meter = new FrameMeter();
+  private readonly fineness = new Fineness();
   panes: Pane[] = [];
   selection: Selection = { kind: 'none' };
   labels: LabelDetail = 'all';
@@ -29,6 +30,7 @@ export class App {
   private shown: [number, number] = [0, -1]; // indices of the logs A and B; -1: none
   private theme: Theme;
   wished = false; // a frame is due
+  shownAfterMs = NaN; // from opening the page until the first run was drawn
   private lastFrame = 0;
   private readonly bar: Bar;
   private readonly messages = new Messages();
@@ -327,11 +329,17 @@ export class App {
   private frame(now: number): void {
     this.wished = false;
     const { clock } = this;
-    if (clock.playing && this.lastFrame > 0) clock.advance(Math.min(250, now - this.lastFrame));
+    const passed = this.lastFrame > 0 ? now - this.lastFrame : 0;
+    if (clock.playing && passed > 0) {
+      clock.advance(Math.min(250, passed));
+      this.fineness.took(passed);
+    }
+    const scale = clock.playing ? this.fineness.scale : 1;
     this.lastFrame = clock.playing ? now : 0;
-    for (const pane of this.panes) pane.draw(clock.time);
+    for (const pane of this.panes) pane.draw(clock.time, scale);
     this.transport.draw(this.panes.some((pane) => this.logOf(pane)?.live));
     this.panel.draw(this.panes.map((pane) => pane.run), this.selection, clock.time, this.theme);
+    if (this.panes.length > 0 && Number.isNaN(this.shownAfterMs)) this.shownAfterMs = performance.now();
     this.meter.count(now, clock.playing);
     if (clock.playing) this.redraw();
   }

@@ -21,3 +21,27 @@ export class FrameMeter {
     return { frames, seconds, framesPerSecond: seconds > 0 ? frames / seconds : 0, longestMs };
   }
 }
+
+/**
+ * How finely the hall is drawn while it plays: without a graphics card, pixels are what costs. A picture that stands
+ * still is always drawn finely.
+ */
+export class Fineness {
+  private level = 0;
+  private slow = 0; // frames in a row that took too long
+
+  constructor(private readonly slowMs = 80) {}
+
+  get scale(): number {
+    return [1, 0.75, 0.55][this.level]!;
+  }
+
+  /** A frame of a playing run took so long. Returns whether the scale changed. */
+  took(ms: number): boolean {
+    this.slow = ms > this.slowMs ? this.slow + 1 : 0;
+    if (this.slow < 5 || this.level === 2) return false;
+    this.level += 1;
+    this.slow = 0;
+    return true;
+  }
+}

@@ -75,9 +75,10 @@ export class Pane {
     this.ganttDirty = true;
   }
 
-  draw(time: number): void {
+  /** `scale`: how finely the hall is drawn, 1 for every pixel. */
+  draw(time: number, scale: number): void {
     const at = Math.min(time, this.run.last);
-    this.hall?.draw(at);
+    this.hall?.draw(at, scale);
     if (this.ganttDirty) this.gantt.draw();
     this.ganttDirty = false;
     this.gantt.movePlayhead(time);

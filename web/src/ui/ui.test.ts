@@ -1,6 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import { loadRun } from '../../tests/support';
 import { Clock } from './clock';
+import { Fineness } from './meter';
 import { niceStep } from './gantt_draw';
 import { ganttRows } from './gantt_rows';
 import { inkOn, THEMES } from './theme';
@@ -44,6 +45,18 @@ describe('the clock', () => {
     expect(it_.speed).toBe(64);
     it_.faster(-100);
     expect(it_.speed).toBe(1);
+  });
+});
+
+describe('the fineness of the hall', () => {
+  it('gives way only after some slow frames in a row, and not without end', () => {
+    const fineness = new Fineness(80);
+    for (const ms of [100, 100, 100, 100, 20, 100, 100, 100, 100]) fineness.took(ms);
+    expect(fineness.scale).toBe(1);
+    fineness.took(100);
+    expect(fineness.scale).toBe(0.75);
+    for (let i = 0; i < 50; ++i) fineness.took(1000);
+    expect(fineness.scale).toBe(0.55);
   });
 });
 
