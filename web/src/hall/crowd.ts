@@ -22,7 +22,7 @@ export interface Scene {
 export function arrange(run: Run, time: number, scale: number): Scene {
   const standing: Standing[] = run.header.workers.map(({ id, kind }) => {
     const spot = run.motions.get(id)!.at(time);
-    return { id, pose: spot.pose, moving: spot.moving, since: spot.since, width: widthOf(run.header, kind) * scale + 0.25 };
+    return { id, pose: spot.pose, moving: spot.moving, since: spot.since, ...roomOf(run.header, kind, scale) };
   });
   const agents = spread(standing, time);
   const carriers: Scene['carriers'] = new Map();
@@ -30,14 +30,15 @@ export function arrange(run: Run, time: number, scale: number): Scene {
   for (const { id } of run.header.carriers) {
     const { pose, worker } = run.carrierPose(id, time);
     if (worker) carriers.set(id, { pose: agents.get(worker) ?? pose, held: true });
-    else put.push({ id, pose, moving: false, since: 0, width: 1.2 * scale });
+    else put.push({ id, pose, moving: false, since: 0, width: 1.1 * scale, length: 1.5 * scale });
   }
   for (const [id, pose] of spread(put, time)) carriers.set(id, { pose, held: false });
   return { agents, carriers };
 }
 
-function widthOf(header: Header, kind: string): number {
-  return header.kinds.get(kind)?.width ?? (kind === 'human' ? 0.6 : 0.9);
+function roomOf(header: Header, kind: string, scale: number): { width: number; length: number } {
+  const size = header.kinds.get(kind) ?? (kind === 'human' ? { length: 0.6, width: 0.6 } : { length: 1.2, width: 0.8 });
+  return { width: size.width * scale + 0.25, length: size.length * scale + 0.25 };
 }
 
 export class Crowd {

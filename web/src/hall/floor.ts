@@ -19,7 +19,7 @@ export function buildFloor(layout: Layout, header: Header, theme: Theme): Group 
     [x1, y1],
     [x0, y1],
   ];
-  const ground = new Mesh(flatGeometry(floor), new MeshBasicMaterial({ color: theme.floor }));
+  const ground = new Mesh(flatGeometry(floor), new MeshBasicMaterial({ color: theme.floor, depthWrite: false }));
   ground.renderOrder = -4;
   group.add(ground, grid(layout, theme));
   const solid = new Builder();

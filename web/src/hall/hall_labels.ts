@@ -56,7 +56,7 @@ function agents({ run, scene, layout, selected, taskColour, theme }: LabelTask, 
   const many = run.header.workers.length > MANY;
   for (const [id, pose] of scene.agents) {
     if (many && id !== selected) continue;
-    const up = (run.kindOf(id) === 'human' ? 2.2 : 1.6) * layout.agentScale;
+    const up = (run.kindOf(id) === 'human' ? 2.2 : 1.35) * layout.agentScale;
     const strong = id === selected;
     put(pose.x, pose.y, up, { text: id, rank: strong ? 0 : 10, look: 'agent', colour: taskColour(id) ?? theme.wait, strong });
   }

@@ -3,12 +3,15 @@
 
 import type { Pose } from '../log/header';
 
+const ABREAST = 5;
+
 export interface Standing {
   id: string;
   pose: Pose;
   moving: boolean;
   since: number;
-  width: number; // metres
+  width: number; // metres, with some room
+  length: number;
 }
 
 /** Poses as drawn, by id. Who came second steps aside within a tick. */
@@ -31,13 +34,13 @@ export function spread(agents: readonly Standing[], time: number): Map<string, P
   return drawn;
 }
 
-function aside({ pose, width, since }: Standing, index: number, time: number): Pose {
-  const row = Math.floor(index / 7); // seven abreast, then behind
-  const place = index % 7;
+function aside({ pose, width, length, since }: Standing, index: number, time: number): Pose {
+  const row = Math.floor(index / ABREAST); // the others stand behind
+  const place = index % ABREAST;
   const side = place % 2 === 1 ? 1 : -1;
   const eased = Math.min(1, Math.max(0, time - since));
   const across = side * Math.ceil(place / 2) * width * eased;
-  const back = row * width * eased;
+  const back = row * length * eased;
   return {
     x: pose.x - Math.sin(pose.yaw) * across - Math.cos(pose.yaw) * back,
     y: pose.y + Math.cos(pose.yaw) * across - Math.sin(pose.yaw) * back,

@@ -1,6 +1,6 @@
 // The hall of one run on a canvas. Draws when asked to, never by itself.
 
-import { AmbientLight, Color, DirectionalLight, Group, HemisphereLight, Mesh, MeshBasicMaterial, RingGeometry, Scene as Stage, Vector3, WebGLRenderer, type Object3D } from 'three';
+import { AmbientLight, Color, DirectionalLight, Group, HemisphereLight, LineSegments, Mesh, MeshBasicMaterial, RingGeometry, Scene as Stage, Vector3, WebGLRenderer, type Object3D } from 'three';
 import type { Pose } from '../log/header';
 import type { Run } from '../run/run';
 import { TaskColours } from '../run/names';
@@ -53,6 +53,7 @@ export class HallView {
     this.renderer.domElement.className = 'stage';
     host.append(this.renderer.domElement, this.flat);
     this.writing = new Labels(this.flat);
+    this.renderer.domElement.addEventListener('webglcontextrestored', changed);
     this.layout = layOut(run.header, run.seenAt);
     this.colours = new TaskColours(run.header);
     this.eye = new HallCamera(this.renderer.domElement, this.layout.bounds, tallest(this.layout), changed);
@@ -128,11 +129,10 @@ export class HallView {
   }
 
   dispose(): void {
-    this.built?.crowd.dispose();
-    this.built?.goods.dispose();
-    this.built?.plant.dispose();
+    this.tearDown();
     this.eye.dispose();
     this.renderer.dispose();
+    this.renderer.forceContextLoss(); // a browser has only so many
     this.renderer.domElement.remove();
     this.flat.remove();
   }
@@ -149,12 +149,7 @@ export class HallView {
   }
 
   private build(): void {
-    if (this.built) {
-      this.stage.remove(this.built.all);
-      this.built.crowd.dispose();
-      this.built.goods.dispose();
-      this.built.plant.dispose();
-    }
+    this.tearDown();
     const { run, layout, theme } = this;
     const crowd = new Crowd(run.header, theme, layout.agentScale);
     const heads = new Heads(run, layout);
@@ -166,6 +161,21 @@ export class HallView {
     this.stage.add(all);
     this.stage.background = new Color(theme.background);
     this.built = { crowd, goods, plant, zones, all };
+  }
+
+  private tearDown(): void {
+    const { built } = this;
+    if (!built) return;
+    this.stage.remove(built.all);
+    built.all.traverse((part) => {
+      if (!(part instanceof Mesh || part instanceof LineSegments)) return;
+      part.geometry.dispose();
+      for (const material of [part.material].flat()) material.dispose();
+    });
+    built.crowd.dispose();
+    built.goods.dispose();
+    built.plant.dispose();
+    this.built = undefined;
   }
 
   private ways(time: number, colour: (worker: string) => string | undefined): Way[] {

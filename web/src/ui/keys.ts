@@ -15,6 +15,7 @@ export function listen(commands: Command[]): void {
     const target = event.target as HTMLElement;
     const typing = target instanceof HTMLSelectElement || (target instanceof HTMLInputElement && target.type !== 'range');
     if (typing && event.key !== 'Escape') return;
+    if (document.querySelector('dialog[open]') && !['Escape', '?', 'h'].includes(event.key)) return;
     const key = `${event.shiftKey && event.key.length > 1 ? 'shift+' : ''}${event.key}`;
     const command = commands.find(({ keys }) => keys.includes(key));
     if (!command) return;
