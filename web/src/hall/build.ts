@@ -1,4 +1,5 @@
 // Puts plain shapes together into one geometry with a colour per corner, so that a whole hall is a few draw calls.
+// The light is painted into the colours: without a graphics card light that is computed per pixel is what costs most.
 // Map coordinates (x, y, up) become three.js' (x, up, -y).
 
 import { BoxGeometry, BufferAttribute, BufferGeometry, Color, CylinderGeometry, Matrix4, Shape, ShapeGeometry, ExtrudeGeometry, SphereGeometry, Vector3 } from 'three';
@@ -6,7 +7,6 @@ import type { Point } from '../log/header';
 
 export class Builder {
   private readonly positions: number[] = [];
-  private readonly normals: number[] = [];
   private readonly colours: number[] = [];
   private readonly vector = new Vector3();
   private readonly colour = new Color();
@@ -25,8 +25,8 @@ export class Builder {
       this.vector.fromBufferAttribute(position, i);
       this.positions.push(this.vector.x, this.vector.y, this.vector.z);
       this.vector.fromBufferAttribute(normal, i);
-      this.normals.push(this.vector.x, this.vector.y, this.vector.z);
-      this.colours.push(this.colour.r, this.colour.g, this.colour.b);
+      const light = brightness(this.vector);
+      this.colours.push(this.colour.r * light, this.colour.g * light, this.colour.b * light);
     }
     return this;
   }
@@ -55,12 +55,18 @@ export class Builder {
   done(): BufferGeometry {
     const geometry = new BufferGeometry();
     geometry.setAttribute('position', new BufferAttribute(new Float32Array(this.positions), 3));
-    geometry.setAttribute('normal', new BufferAttribute(new Float32Array(this.normals), 3));
     geometry.setAttribute('color', new BufferAttribute(new Float32Array(this.colours), 3));
     return geometry;
   }
 }
 
+/** A sun from the upper left in front, a bright sky, and a floor that gives some of it back. */
+function brightness(normal: Vector3): number {
+  const sun = Math.max(0, normal.dot(SUN));
+  return 0.14 + 0.4 * (0.3 + 0.7 * (0.5 + 0.5 * normal.y)) + 0.55 * sun;
+}
+
+const SUN = new Vector3(-0.5, 1, 0.7).normalize();
 const UPRIGHT = new Matrix4().makeRotationX(-Math.PI / 2);
 
 export function prismGeometry(polygon: readonly Point[], height: number): BufferGeometry {

@@ -1,6 +1,6 @@
 // People, robots and carriers: one instanced mesh per kind, so that a hundred of them are a few draw calls.
 
-import { Color, DynamicDrawUsage, Group, InstancedMesh, Matrix4, MeshBasicMaterial, MeshLambertMaterial, Quaternion, RingGeometry, Vector3, type BufferGeometry, type Material } from 'three';
+import { Color, DynamicDrawUsage, Group, InstancedMesh, Matrix4, MeshBasicMaterial, Quaternion, RingGeometry, Vector3, type BufferGeometry, type Material } from 'three';
 import type { Header, Pose } from '../log/header';
 import type { Run } from '../run/run';
 import { kindIndex, pickFrom, type Theme } from '../ui/theme';
@@ -117,7 +117,7 @@ export class Crowd {
   }
 
   private addKind(kind: string, ids: string[], figure: BufferGeometry): void {
-    const mesh = this.instanced(figure, new MeshLambertMaterial({ vertexColors: true }), ids.length);
+    const mesh = this.instanced(figure, new MeshBasicMaterial({ vertexColors: true }), ids.length);
     this.figures.set(kind, { mesh, ids });
   }
 

@@ -1,6 +1,6 @@
 // Everything that does not move: floor, walls, obstacles, the stations' marks and the routes.
 
-import { BufferAttribute, BufferGeometry, Color, DoubleSide, EdgesGeometry, Float32BufferAttribute, Group, LineBasicMaterial, LineSegments, Mesh, MeshBasicMaterial, MeshLambertMaterial, RingGeometry } from 'three';
+import { BufferAttribute, BufferGeometry, Color, DoubleSide, EdgesGeometry, Float32BufferAttribute, Group, LineBasicMaterial, LineSegments, Mesh, MeshBasicMaterial, RingGeometry } from 'three';
 import type { Header, Point } from '../log/header';
 import type { Run } from '../run/run';
 import { kindIndex, pickFrom, type Theme } from '../ui/theme';
@@ -27,9 +27,9 @@ export function buildFloor(layout: Layout, header: Header, theme: Theme): Group 
   const edges = new EdgeLines();
   for (const block of layout.blocks) addBlock(block, theme, solid, glass, edges);
   if (!layout.ownWalls) rim(layout, theme, solid);
-  if (!solid.empty) group.add(new Mesh(solid.done(), new MeshLambertMaterial({ vertexColors: true })));
+  if (!solid.empty) group.add(new Mesh(solid.done(), new MeshBasicMaterial({ vertexColors: true })));
   if (!glass.empty) {
-    const material = new MeshLambertMaterial({ vertexColors: true, transparent: true, opacity: 0.2, depthWrite: false, side: DoubleSide });
+    const material = new MeshBasicMaterial({ vertexColors: true, transparent: true, opacity: 0.2, depthWrite: false, side: DoubleSide });
     const mesh = new Mesh(glass.done(), material);
     mesh.renderOrder = 5;
     group.add(mesh);

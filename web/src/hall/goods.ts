@@ -1,6 +1,6 @@
 // The items: boxes in the colour of their material, where they lie and in the carriers that hold them.
 
-import { Color, DynamicDrawUsage, Group, InstancedMesh, Matrix4, MeshLambertMaterial, Quaternion, Vector3 } from 'three';
+import { Color, DynamicDrawUsage, Group, InstancedMesh, Matrix4, MeshBasicMaterial, Quaternion, Vector3 } from 'three';
 import type { Pose } from '../log/header';
 import type { Run } from '../run/run';
 import { pickFrom, type Theme } from '../ui/theme';
@@ -101,7 +101,7 @@ export class Goods {
       this.group.remove(this.mesh);
       this.mesh.dispose();
     }
-    this.mesh = new InstancedMesh(itemFigure(), new MeshLambertMaterial({ vertexColors: true }), Math.max(64, count * 2));
+    this.mesh = new InstancedMesh(itemFigure(), new MeshBasicMaterial({ vertexColors: true }), Math.max(64, count * 2));
     this.mesh.instanceMatrix.setUsage(DynamicDrawUsage);
     this.mesh.frustumCulled = false;
     this.group.add(this.mesh);

@@ -1,7 +1,7 @@
 // The machines: a body where each stands, a band around it in the colour of its state, and for those that move
 // between positions a gantry whose head follows the material.
 
-import { Color, DynamicDrawUsage, Group, InstancedMesh, Matrix4, Mesh, MeshBasicMaterial, MeshLambertMaterial, Quaternion, Vector3 } from 'three';
+import { Color, DynamicDrawUsage, Group, InstancedMesh, Matrix4, Mesh, MeshBasicMaterial, Quaternion, Vector3 } from 'three';
 import type { MachineInterval } from '../run/machines';
 import type { Run } from '../run/run';
 import type { Theme } from '../ui/theme';
@@ -33,11 +33,11 @@ export class Plant {
       if (machine.overhead) addGantry(machine, theme, body);
       else addBody(machine, theme, body);
     }
-    if (!body.empty) this.group.add(new Mesh(body.done(), new MeshLambertMaterial({ vertexColors: true })));
+    if (!body.empty) this.group.add(new Mesh(body.done(), new MeshBasicMaterial({ vertexColors: true })));
     const cube = new Builder().box([1, 1, 1], [0, 0, -0.5], '#ffffff').done();
     this.bands = this.instanced(cube, new MeshBasicMaterial(), layout.machines.length);
     const head = new Builder().box([0.7, 0.7, 0.5], [0, 0, BEAM_M - 0.5], '#ffffff').pillar([0.08, 0.08], 1.2, [0, 0, BEAM_M - 1.7], '#ffffff').box([0.5, 0.5, 0.08], [0, 0, BEAM_M - 1.75], '#ffffff');
-    this.heads = this.instanced(head.done(), new MeshLambertMaterial({ vertexColors: true }), Math.max(1, this.gantries.length));
+    this.heads = this.instanced(head.done(), new MeshBasicMaterial({ vertexColors: true }), Math.max(1, this.gantries.length));
     this.heads.count = this.gantries.length;
   }
 
@@ -72,7 +72,7 @@ export class Plant {
     return interval ? this.theme[interval.state] : this.theme.machine;
   }
 
-  private instanced(geometry: ReturnType<Builder['done']>, material: MeshBasicMaterial | MeshLambertMaterial, count: number): InstancedMesh {
+  private instanced(geometry: ReturnType<Builder['done']>, material: MeshBasicMaterial, count: number): InstancedMesh {
     const mesh = new InstancedMesh(geometry, material, count);
     mesh.instanceMatrix.setUsage(DynamicDrawUsage);
     mesh.frustumCulled = false;

@@ -1,6 +1,6 @@
 // The hall of one run on a canvas. Draws when asked to, never by itself.
 
-import { AmbientLight, Color, DirectionalLight, Group, HemisphereLight, LineSegments, Mesh, MeshBasicMaterial, RingGeometry, Scene as Stage, Vector3, WebGLRenderer, type Object3D } from 'three';
+import { Color, Group, LineSegments, Mesh, MeshBasicMaterial, RingGeometry, Scene as Stage, Vector3, WebGLRenderer, type Object3D } from 'three';
 import type { Pose } from '../log/header';
 import type { Run } from '../run/run';
 import { TaskColours } from '../run/names';
@@ -59,9 +59,6 @@ export class HallView {
     this.eye = new HallCamera(this.renderer.domElement, this.layout.bounds, tallest(this.layout), changed);
     this.ring = new Mesh(new RingGeometry(0.8, 0.92, 32).rotateX(-Math.PI / 2), new MeshBasicMaterial({ color: theme.ink }));
     this.stage.add(this.paths.mesh, this.ring);
-    const sun = new DirectionalLight('#ffffff', 1.5);
-    sun.position.set(-0.5, 1, 0.7);
-    this.stage.add(sun, new HemisphereLight('#ffffff', '#8a929b', 1.2), new AmbientLight('#ffffff', 0.35));
     this.build();
     this.resize();
     this.eye.show('overview');
