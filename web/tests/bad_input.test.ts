@@ -1,7 +1,8 @@
 import type { ServerResponse } from 'node:http';
+import { pathToFileURL } from 'node:url';
 import type { Browser } from 'playwright-core';
 import { afterAll, beforeAll, describe, expect, it } from 'vitest';
-import { exported, launch, openPage, seek, serve, settled } from './browser';
+import { clickChart, exported, launch, openPage, PAGE, seek, serve, settled } from './browser';
 import { dataFile, logText } from './support';
 
 let browser: Browser;
@@ -10,8 +11,9 @@ beforeAll(async () => {
 });
 afterAll(() => browser?.close());
 
+const text = logText('routed');
+
 describe('a broken log', () => {
-  const text = logText('routed');
   it.each([
     ['cut off', text.slice(0, 60_000), 'The log is cut off in the middle of a line', 1],
     ['of another version', text.replace('event_log/1', 'event_log/2'), 'This log has version 2 of the format; this page reads version 1', 0],
@@ -61,14 +63,35 @@ describe('a broken log', () => {
   });
 });
 
+describe('the page from disk', () => {
+  it('without a log asks for files', async () => {
+    const { page, faults } = await openPage(browser, pathToFileURL(PAGE).href);
+    expect(await page.locator('.invite').innerText()).toContain('Open an event log');
+    await page.locator('.invite input[type=file]').setInputFiles([dataFile('routed.jsonl'), dataFile('routed_fifo.jsonl')]);
+    await page.waitForFunction(() => window.linewright.state().runs.length === 2);
+    expect(faults).toEqual([]);
+    await page.context().close();
+  });
+
+  it('without WebGL has no hall, but everything else', async () => {
+    const plain = await launch(['--disable-3d-apis']);
+    const { page } = await openPage(plain, exported([{ name: 'run.jsonl', text }]));
+    expect(await page.locator('.hall').innerText()).toContain('This browser cannot draw in 3D');
+    await clickChart(page, 0, 'human.0', 60);
+    expect(await page.locator('.details[data-kind=task]').innerText()).toContain('bring bends');
+    expect((await seek(page, 100)).runs[0]!.agents['human.0']).toBeDefined();
+    await plain.close();
+  });
+});
+
 describe('text from files', () => {
   it('never becomes markup or script', async () => {
     const evil = '<img src=x onerror=window.hacked=1></script><script>window.hacked=1</script>';
     const [header, ...rest] = logText('kitting_cell').split('\n');
     const head = JSON.parse(header!) as { line: string; tasks: { name: string }[]; machines: string[] };
     head.line = evil;
-    const text = [JSON.stringify(head), ...rest].join('\n').replaceAll('"task":"build"', `"task":${JSON.stringify(evil)}`).replaceAll('"name":"kit_built"', `"name":${JSON.stringify(evil)}`);
-    const { page, faults } = await openPage(browser, exported([{ name: evil, text }]));
+    const log = [JSON.stringify(head), ...rest].join('\n').replaceAll('"task":"build"', `"task":${JSON.stringify(evil)}`).replaceAll('"name":"kit_built"', `"name":${JSON.stringify(evil)}`);
+    const { page, faults } = await openPage(browser, exported([{ name: evil, text: log }]));
     await page.keyboard.press('Shift+ArrowRight');
     for (let i = 0; i < 6; ++i) await page.keyboard.press('n');
     await settled(page);

@@ -25,10 +25,10 @@ declare global {
   }
 }
 
-export function launch(): Promise<Browser> {
+export function launch(args = ['--use-gl=angle', '--use-angle=swiftshader', '--enable-unsafe-swiftshader']): Promise<Browser> {
   return chromium.launch({
     executablePath: process.env.CHROMIUM ?? '/usr/bin/chromium',
-    args: ['--no-sandbox', '--use-gl=angle', '--use-angle=swiftshader', '--enable-unsafe-swiftshader'],
+    args: ['--no-sandbox', ...args],
   });
 }
 

@@ -18,7 +18,7 @@ export function waitReasons(run: Run, worker: string, { n, begin, end, event }: 
   }
   if (reasons.length === 0) reasons.push(...lateJoiner(run, n, begin, end));
   if (reasons.length === 0) reasons.push(...material(run, worker, n, begin, end));
-  if (reasons.length === 0) reasons.push(end - begin <= 1 ? 'a tick between two steps' : 'for the next step');
+  if (reasons.length === 0) reasons.push(end - begin <= 2 ? 'a moment between two steps' : 'for the next step');
   return reasons;
 }
 
@@ -26,7 +26,9 @@ function lastBusy(run: Run, worker: string, n: number, begin: Tick, end: Tick): 
   const during = run
     .activities(worker)
     .filter((a) => a.n === n && a.kind !== 'wait' && a.begin < end && a.end > begin);
-  return during[during.length - 1];
+  const last = during[during.length - 1];
+  // Who is awaited is done when the waiting ends, or a tick before the next step.
+  return last && (last.end <= end + 1 || end >= run.last) ? last : undefined;
 }
 
 function doing(activity: Activity): string {

@@ -151,7 +151,7 @@ function drawWorker(frame: Frame, row: Row, y: number): void {
     const box = { x: xOf(frame, since), y: top, width: xOf(frame, end) - xOf(frame, since), height: tall };
     const { colour, variant } = colours.of(task);
     outline(frame, box, pickFrom(theme.tasks, colour), variant, n === frame.selectedTask);
-    caption(frame, box, shown(task), theme.ink);
+    caption(frame, visible(frame, box), shown(task), theme.ink);
   }
 }
 
@@ -160,6 +160,12 @@ interface Bar {
   y: number;
   width: number;
   height: number;
+}
+
+/** The part of a bar that is in the picture. */
+function visible({ left, width }: Frame, bar: Bar): Bar {
+  const from = Math.max(left, bar.x);
+  return { ...bar, x: from, width: Math.min(width, bar.x + bar.width) - from };
 }
 
 /** The frame of a task; variants of a task differ in their lower edge: one line, two, three. */
