@@ -20,7 +20,8 @@ export CLICOLOR := 0
 endif
 
 .PHONY: help demo train test asan tsan format format-check tidy bench fuzz clean
-.PHONY: deps-build deps-learn deps-fuzz deps-lint deps-bench deps-test
+.PHONY: deps-build deps-learn deps-fuzz deps-lint deps-bench deps-test deps-web deps-web-test
+.PHONY: web web-test web-bench
 
 help:
 	@echo "make demo               build the command line tool, simulate the duct line, draw its Gantt chart"
@@ -28,6 +29,8 @@ help:
 	@echo "make test               build everything, run all tests, fuzz for 20 seconds"
 	@echo "make asan               run the tests under AddressSanitizer and UndefinedBehaviorSanitizer"
 	@echo "make tsan               run the tests under ThreadSanitizer"
+	@echo "make web                build the page that shows runs in a browser: build/web/linewright-view.html"
+	@echo "make web-test           build it and run its tests (web-bench: measure frames per second)"
 	@echo "make fuzz SECONDS=300   fuzz everything that parses"
 	@echo "make bench              run the benchmarks"
 	@echo "make format             lay out all C++ files with clang-format (format-check: only look)"
@@ -47,7 +50,11 @@ deps-learn:
 deps-bench:
 	@tools/install_dependencies.sh build learn bench
 deps-test:
-	@tools/install_dependencies.sh build learn fuzz bench
+	@tools/install_dependencies.sh build learn fuzz bench web web-test
+deps-web:
+	@tools/install_dependencies.sh web
+deps-web-test:
+	@tools/install_dependencies.sh web web-test
 
 # Ninja configures again by itself when a CMake file or the set of sources changes.
 build/%/build.ninja: CMakePresets.json | deps-build
@@ -82,7 +89,35 @@ test: deps-test build/release/build.ninja
 	@ctest --preset release --parallel $(JOBS) 2>&1 | tee build/release/ctest.log
 	$(SAY) "Fuzzing for 20 seconds"
 	@tools/fuzz.sh 20
-	$(SAY) "Summary: $$(grep -E 'tests passed' build/release/ctest.log); fuzzing found nothing"
+	@$(MAKE) web-test
+	$(SAY) "Summary: $$(grep -E 'tests passed' build/release/ctest.log); fuzzing found nothing; $(WEB_SUMMARY)"
+
+# The page is one file without anything outside. npm installs again only when the lock file changed.
+WEB_PAGE := build/web/linewright-view.html
+WEB_PACKAGES := web/node_modules/.package-lock.json
+WEB_SOURCES := $(shell find web/src -type f -not -name '*.test.ts' 2>/dev/null) \
+  $(wildcard web/*.html web/*.json web/vite.config.ts)
+WEB_SUMMARY = page: $$(grep -hoE '[0-9]+ (passed|failed)' build/web/test.log | tail -1) tests
+
+$(WEB_PACKAGES): web/package-lock.json web/package.json web/.npmrc | deps-web
+	$(SAY) "Installing the page's packages"
+	@cd web && npm ci --no-audit --no-fund --loglevel=error
+	@touch $@
+
+$(WEB_PAGE): $(WEB_SOURCES) $(WEB_PACKAGES)
+	$(SAY) "Building the page $@"
+	@cd web && npm run --silent build
+
+web: $(WEB_PAGE)
+
+web-test: deps-web-test $(WEB_PAGE)
+	$(SAY) "Testing the page"
+	@cd web && npm run --silent check
+	@cd web && { NO_COLOR=1 npm test --silent && NO_COLOR=1 npm run --silent test:page; } 2>&1 | tee ../build/web/test.log
+	$(SAY) "Summary: $$(grep -hE '^ +Tests ' build/web/test.log | tr -s ' ' | paste -sd ';')"
+
+web-bench: deps-web-test $(WEB_PAGE)
+	@cd web && npm run --silent benchmark
 
 # $(call run_tests_of,preset)
 define run_tests_of

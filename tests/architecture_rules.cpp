@@ -28,7 +28,8 @@ std::string read_file(const fs::path& path) {
 /// Not part of the repository: build results, version control, caches and settings of editors.
 bool is_ignored(const std::string& relative) {
   static const std::set<std::string> kAtTheTop = {"build", "out", ".git"};
-  static const std::set<std::string> kAnywhere = {".cache", ".idea", ".vscode", "__pycache__"};
+  static const std::set<std::string> kAnywhere = {".cache", ".idea", ".vscode", "__pycache__",
+                                                  "node_modules"};
   return kAtTheTop.contains(relative) || kAnywhere.contains(fs::path(relative).filename().string());
 }
 

@@ -64,6 +64,7 @@ class SmallTree : public testing::Test {
     write("docs/notes.md", "notes\n");
     write("data/deep/down/numbers.txt", "1 2 3\n");
     write("build/generated/trash.txt", "not looked at\n");
+    write("docs/node_modules/package/index.js", "not looked at\n");
   }
 
   ~SmallTree() override { fs::remove_all(root_); }
