@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <charconv>
 #include <filesystem>
+#include <map>
 #include <memory>
 #include <string>
 #include <system_error>
@@ -32,6 +33,7 @@ struct ViewArguments {
 /// File names, or where several logs have the same, the paths as they were given.
 std::vector<std::string> names_of(const std::vector<std::string>& files) {
   std::vector<std::string> names;
+  names.reserve(files.size());
   for (const std::string& file : files) {
     names.push_back(std::filesystem::path(file).filename().string());
   }
@@ -73,15 +75,19 @@ Tick parse_tick(const std::string& text, const LogDocument& log, const std::stri
 /// NAME_tickT.svg for each log and tick; nothing is written when a tick is wrong.
 void write_snapshots(const ViewArguments& arguments, const std::vector<LogDocument>& logs) {
   const std::vector<std::string> names = names_of(arguments.logs);
-  std::vector<std::pair<std::string, std::string>> pictures;
+  std::map<std::string, std::string> pictures;  // by file
   for (std::size_t i = 0; i < logs.size(); ++i) {
     std::string stem = std::filesystem::path(names[i]).replace_extension().string();
     std::replace(stem.begin(), stem.end(), '/', '_');
     for (const std::string& text : arguments.snapshots) {
       const Tick tick = parse_tick(text, logs[i], arguments.logs[i]);
       const std::string name = fmt::format("{}_tick{}.svg", stem, tick);
-      pictures.emplace_back((std::filesystem::path(arguments.out) / name).string(),
-                            hall_picture(logs[i], tick));
+      const std::string file = (std::filesystem::path(arguments.out) / name).string();
+      const std::string svg = hall_picture(logs[i], tick);
+      const auto [other, is_new] = pictures.emplace(file, svg);
+      if (is_new || other->second == svg) continue;
+      throw ScenarioError({}, fmt::format("two logs have a picture for {}", in_quotes(file)),
+                          "give them one after the other, with another --out");
     }
   }
   for (const auto& [file, svg] : pictures) {

@@ -64,7 +64,7 @@ struct Machine {
   std::optional<Homing> homing;
   std::optional<StationId> at;  ///< where it is drawn
   std::vector<Point2> area_m;   ///< the floor it takes up, for pictures only: three corners at
-                               ///< least, counter-clockwise; or empty
+                                ///< least, counter-clockwise; or empty
 };
 
 /// A machine that an operation takes, and how it moves. Position values index Machine::positions.
