@@ -3,9 +3,12 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstdio>
+#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <sstream>
 
 #include "tests/cli_support.hpp"
 
@@ -198,6 +201,27 @@ TEST(Cli, ExplainsEachDecisionInTextAndLog) {
   std::filesystem::remove(log);
 }
 
+/// Every mean of the CSV stands, rounded, in the report's row of that name, in the same order.
+void expect_same_numbers(const std::string& csv, const std::string& html) {
+  std::istringstream lines(csv);
+  std::string line;
+  std::getline(lines, line);
+  std::string row;
+  std::size_t at = 0;
+  while (std::getline(lines, line)) {
+    std::vector<std::string> fields;
+    std::istringstream in(line);
+    for (std::string field; std::getline(in, field, ',');) fields.push_back(field);
+    if (fields[2] != row) at = html.find("<th scope=\"row\">" + fields[2] + "</th>");
+    row = fields[2];
+    ASSERT_NE(at, std::string::npos) << line;
+    char cell[32];
+    std::snprintf(cell, sizeof cell, "<td>%.1f", std::stod(fields[4]));
+    at = html.find("<td>", at + 1);
+    EXPECT_EQ(html.substr(at, std::strlen(cell)), cell) << line;
+  }
+}
+
 TEST(Cli, ReproducesAnExperimentAndGoesOnWithWhatIsThere) {
   const std::string folder = temporary("reproduce");
   std::filesystem::create_directory(folder);
@@ -206,20 +230,22 @@ TEST(Cli, ReproducesAnExperimentAndGoesOnWithWhatIsThere) {
   std::ofstream(folder + "/rules.yaml")
       << "title: Rules\nscenario: line.yaml\ncolumns: orders\norders: [1, 2]\n"
          "metrics: [makespan]\ntrials: 3\nrows:\n  - {row: lowest, planner: first}\n"
-         "  - {row: any, planner: random}\nclaims: [{says: a rule helps, lower: lowest, than: "
+         "  - {row: any, planner: random}\n  - {row: bound, bound: combined, trials: 2}\nclaims: "
+         "[{says: a rule helps, lower: lowest, than: "
          "any}]\n";
   const std::string command = "reproduce " + folder + "/rules.yaml --out " + folder + "/out";
   const Output first = linewright(command);
   ASSERT_EQ(first.code, 0) << first.err;
   EXPECT_NE(first.out.find("| **lowest** |"), std::string::npos) << first.out;
   const std::string csv = read_file(folder + "/out/tables/rules.csv");
-  EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 1 + 2 * 2);
+  EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 1 + 3 * 2);
+  expect_same_numbers(csv, read_file(folder + "/out/report.html"));
   // One cell is lost, the others are taken as they are.
   std::size_t cells = 0;
   for (const auto& entry : std::filesystem::directory_iterator(folder + "/out/results")) {
     if (cells++ == 0) std::filesystem::remove(entry.path());
   }
-  EXPECT_EQ(cells, 4U);
+  EXPECT_EQ(cells, 6U);
   EXPECT_EQ(linewright(command).out, first.out);
   EXPECT_EQ(read_file(folder + "/out/tables/rules.csv"), csv);
   std::filesystem::remove_all(folder);
