@@ -2,13 +2,9 @@
 
 #include <fmt/format.h>
 
-#include <filesystem>
-#include <fstream>
-#include <map>
 #include <nlohmann/json.hpp>
-#include <system_error>
 
-#include "linewright/base/diagnostic.hpp"
+#include "header_json.hpp"
 #include "log_explanations.hpp"
 #include "log_ways.hpp"
 
@@ -27,76 +23,12 @@ std::vector<std::string> numbered(const std::vector<std::string>& kinds,
   return names;
 }
 
-Json station_table(const LineModel& line) {
-  Json table = Json::object();
-  for (const Station& station : line.stations) {
-    Json poses = Json::object();
-    for (std::size_t k = 0; k < line.worker_kinds.size(); ++k) {
-      if (const auto& pose = station.poses[k]) {
-        poses[line.worker_kinds[k].name] = {pose->x_m, pose->y_m, pose->heading_rad};
-      }
-    }
-    table[station.name] = std::move(poses);
-  }
-  return table;
-}
-
-Json place_list(const LineModel& line, std::int32_t order) {
-  Json list = Json::array();
-  for (const Place& place : line.places) {
-    Json entry{{"name", place.name},
-               {"of", place.of.empty() ? place.name : place.of},
-               {"initial", place.initial.value(order)}};
-    if (place.capacity) entry["capacity"] = *place.capacity;
-    if (place.berth) entry["berth"] = line.carrier_kinds[place.berth->carrier.index()].name;
-    list.push_back(std::move(entry));
-  }
-  return list;
-}
-
-Json operation_list(const LineModel& line) {
-  Json list = Json::array();
-  for (const Operation& operation : line.operations) {
-    Json entry{{"name", operation.name}, {"takes", operation.takes}};
-    if (operation.recovery > 0) entry["recovery"] = operation.recovery;
-    const auto machines = [&](const char* key, const std::vector<MachineUse>& uses) {
-      for (const MachineUse& use : uses)
-        entry[key].push_back(line.machines[use.machine.index()].name);
-    };
-    const auto tokens = [&](const char* key, const std::vector<TokenFlow>& flows) {
-      for (const TokenFlow& flow : flows)
-        entry[key][line.places[flow.place.index()].name] = flow.count;
-    };
-    machines("uses", operation.uses);
-    machines("claims", operation.claims);
-    machines("frees", operation.frees);
-    tokens("consumes", operation.consumes);
-    tokens("produces", operation.produces);
-    list.push_back(std::move(entry));
-  }
-  return list;
-}
-
-Json hall(const HallMap& map) {
-  Json obstacles = Json::array();
-  for (const Obstacle& obstacle : map.obstacles) {
-    Json polygon = Json::array();
-    for (const Point2 corner : obstacle.polygon) polygon.push_back({corner.x_m, corner.y_m});
-    obstacles.push_back(
-        {{"name", obstacle.name}, {"polygon", std::move(polygon)}, {"height", obstacle.height_m}});
-  }
-  const Rectangle& bounds = map.bounds;
-  return {{"bounds", {bounds.x0_m, bounds.x1_m, bounds.y0_m, bounds.y1_m}},
-          {"obstacles", std::move(obstacles)}};
-}
-
 /// Turns the numbers of a log into names.
 class Writer {
  public:
   Writer(const Scenario& scenario, const EventLog& log, double progress,
          const std::vector<DecisionExplanation>& explanations)
-      : scenario_(scenario),
-        line_(scenario.line),
+      : line_(scenario.line),
         log_(log),
         progress_(progress),
         workers_(worker_names(line_, log.setup)),
@@ -109,9 +41,8 @@ class Writer {
     }
   }
 
-  std::string text() {
-    append(header());
-    for (const LogEvent& event : log_.events) append(entry(event));
+  std::string text(std::size_t first) {
+    for (std::size_t i = first; i < log_.events.size(); ++i) append(entry(log_.events[i]));
     return std::move(text_);
   }
 
@@ -119,50 +50,6 @@ class Writer {
   void append(const Json& object) {
     text_ += object.dump();
     text_ += '\n';
-  }
-
-  Json header() const {
-    const RunSetup& setup = log_.setup;
-    Json head{{"format", "linewright/event_log/1"},
-              {"line", line_.name},
-              {"scenario_hash", fmt::format("{:016x}", scenario_.content_hash)},
-              {"tick_s", line_.tick_s},
-              {"horizon", setup.horizon},
-              {"order",
-               {{"product", line_.order.product},
-                {"quantity", setup.order},
-                {"finished_in", line_.places[line_.order.finished_in.index()].name}}}};
-    head["workers"] = Json::array();
-    std::size_t id = 0;
-    for (std::size_t k = 0; k < setup.worker_start.size(); ++k) {
-      for (const StationId start : setup.worker_start[k]) {
-        head["workers"].push_back({{"id", workers_[id++]},
-                                   {"kind", line_.worker_kinds[k].name},
-                                   {"start", line_.stations[start.index()].name}});
-      }
-    }
-    head["carriers"] = Json::array();
-    id = 0;
-    for (std::size_t k = 0; k < setup.carrier_start.size(); ++k) {
-      for (const StationId start : setup.carrier_start[k]) {
-        head["carriers"].push_back({{"id", carriers_[id++]},
-                                    {"kind", line_.carrier_kinds[k].name},
-                                    {"capacity", line_.carrier_kinds[k].capacity},
-                                    {"start", line_.stations[start.index()].name}});
-      }
-    }
-    head["stations"] = station_table(line_);
-    head["places"] = place_list(line_, setup.order);
-    head["machines"] = Json::array();
-    for (const Machine& machine : line_.machines) head["machines"].push_back(machine.name);
-    head["operations"] = operation_list(line_);
-    head["tasks"] = Json::array();
-    for (const Task& task : line_.tasks) {
-      head["tasks"].push_back({{"number", task.number}, {"name", task.name}});
-    }
-    if (!line_.zones.empty()) head["zones"] = event_log::zone_list(line_, setup);
-    if (scenario_.map) head["hall"] = hall(*scenario_.map);
-    return head;
   }
 
   Json entry(const LogEvent& event) const {
@@ -306,7 +193,6 @@ class Writer {
   }
   static std::size_t index(std::int32_t id) { return static_cast<std::size_t>(id); }
 
-  const Scenario& scenario_;
   const LineModel& line_;
   const EventLog& log_;
   double progress_;
@@ -349,7 +235,17 @@ std::vector<std::string> carrier_names(const LineModel& line, const RunSetup& se
 
 std::string event_log_text(const Scenario& scenario, const EventLog& log, double progress,
                            const std::vector<DecisionExplanation>& explanations) {
-  return Writer(scenario, log, progress, explanations).text();
+  return event_log_header(scenario, log.setup) +
+         event_log_lines(scenario, log, 0, progress, explanations);
+}
+
+std::string event_log_header(const Scenario& scenario, const RunSetup& setup) {
+  return event_log::header_json(scenario, setup).dump() + '\n';
+}
+
+std::string event_log_lines(const Scenario& scenario, const EventLog& log, std::size_t first,
+                            double progress, const std::vector<DecisionExplanation>& explanations) {
+  return Writer(scenario, log, progress, explanations).text(first);
 }
 
 }  // namespace linewright

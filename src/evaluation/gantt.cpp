@@ -110,6 +110,8 @@ std::string outcome(const LogDocument& log) {
                          duration(end.makespan.value_or(end.tick) * log.header.tick_s));
     case RunStatus::kDeadlock:
       return fmt::format("deadlock at tick {}, {:.0f} % of the order done", end.tick, percent);
+    case RunStatus::kRunning:
+      return fmt::format("the log breaks off at tick {}", end.tick);
     default:
       return fmt::format("not finished within {} ticks, {:.0f} % of the order done", end.tick,
                          percent);
@@ -119,6 +121,7 @@ std::string outcome(const LogDocument& log) {
 std::string ending(const LoggedEnd& end) {
   const char* status = end.status == RunStatus::kFinished   ? "finished"
                        : end.status == RunStatus::kDeadlock ? "deadlock"
+                       : end.status == RunStatus::kRunning  ? "cut off"
                                                             : "horizon";
   return fmt::format("{} {}", status, end.tick);
 }

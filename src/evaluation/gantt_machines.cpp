@@ -73,8 +73,14 @@ class MachineRows {
     if (const auto& held = held_[machine.index()]) {
       hold(machine, now_, fmt::format("between {} and {}", held->after, operation.name));
     }
-    add(machine, {now_, until, GanttKind::kWorking, by.task, by.n, operation.name,
-                  operation.name + by.text});
+    add(machine, {now_,
+                  until,
+                  GanttKind::kWorking,
+                  by.task,
+                  by.n,
+                  operation.name,
+                  operation.name + by.text,
+                  {}});
   }
 
   void recover(MachineId machine, const LogOperation& operation, Tick from) {
@@ -85,16 +91,18 @@ class MachineRows {
                   {},
                   0,
                   {},
-                  "recovering after " + operation.name});
+                  "recovering after " + operation.name,
+                  {}});
   }
 
   void hold(MachineId machine, Tick until, const std::string& why) {
     auto& held = held_[machine.index()];
-    add(machine, {held->since, until, GanttKind::kHeld, {}, 0, {}, "held " + why});
+    add(machine, {held->since, until, GanttKind::kHeld, {}, 0, {}, "held " + why, {}});
     held.reset();
   }
 
   void add(MachineId machine, GanttInterval interval) {
+    interval.what = interval.text;
     interval.text = fmt::format("{} · {}", log_.header.machines[machine.index()], interval.text);
     builders_[machine.index()].add(std::move(interval));
   }

@@ -164,9 +164,10 @@ class WorkerRows {
   std::optional<Activity> draw_rest(WorkerId worker) {
     std::optional<Activity> rest = std::exchange(resting_[worker.index()], std::nullopt);
     if (!rest) return std::nullopt;
-    GanttInterval interval{
-        rest->begin, rest->until_next ? now_ : std::min(rest->end, now_), rest->kind, {}, 0, "rest",
-        {}};
+    GanttInterval interval{rest->begin, rest->until_next ? now_ : std::min(rest->end, now_),
+                           rest->kind,  {},
+                           0,           "rest",
+                           {},          rest->what};
     interval.text =
         fmt::format("{} · to rest · {}", log_.header.workers[worker.index()].id, rest->what);
     builders_[worker.index()].add(std::move(interval),
@@ -212,7 +213,8 @@ class WorkerRows {
   void draw(WorkerId worker, const Activity& activity) {
     const std::int32_t n = bindings_[worker.index()]->n;
     const TaskId task = log_.decision(n).task;
-    GanttInterval interval{activity.begin, activity.end, activity.kind, task.index(), n, {}, {}};
+    GanttInterval interval{activity.begin, activity.end, activity.kind, task.index(), n, {}, {},
+                           activity.what};
     interval.label = log_.header.tasks[task.index()].name;
     interval.text = fmt::format("{} · {} · {}", log_.header.workers[worker.index()].id,
                                 decision_title(log_, n), activity.what);

@@ -20,7 +20,8 @@ std::vector<GanttRow> zone_rows(const LogDocument& log, std::size_t& budget) {
                         {},
                         0,
                         "closed",
-                        fmt::format("zone {} · closed", rows[zone].name)});
+                        fmt::format("zone {} · closed", rows[zone].name),
+                        "closed"});
     since[zone] = -1;
   };
   for (const LoggedEvent& event : log.events) {

@@ -55,6 +55,9 @@ class Placer {
   /// A place for each name. To be called once.
   [[nodiscard]] std::vector<Place> place(const std::vector<Anchor>& anchors);
 
+  /// Something else is drawn in this box: nothing that is taken later lies there.
+  void occupy(const Box& box) { taken_.push_back(box); }
+
   /// Takes the box when neither a name nor a dot is there yet.
   [[nodiscard]] bool take(const Box& box);
 

@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <fstream>
 #include <istream>
+#include <optional>
 #include <string_view>
 #include <system_error>
 #include <utility>
@@ -98,30 +99,45 @@ int nesting(std::string_view json) {
 /// Builds the document line by line and compares each line with those before it.
 class DocumentReader {
  public:
-  DocumentReader(std::istream& stream, const std::string& file_name)
-      : where_{file_name, 0}, lines_(stream, where_) {}
+  DocumentReader(std::istream& stream, const std::string& file_name, CutOffLog cut_off)
+      : where_{file_name, 0},
+        lines_(stream, where_),
+        accepts_cut_off_(cut_off == CutOffLog::kAccept) {}
 
   LogDocument read() {
     std::string line;
     if (!lines_.next(line)) {
       fail({where_.file, 0}, "the file is empty", kSimulateAgain);
     }
-    document_.header = event_log::read_log_header(parse(line), where_, index_);
+    const std::optional<Json> header = parse(line);
+    if (!header) fail(where_, "the log is cut off in its header", kSimulateAgain);
+    document_.header = event_log::read_log_header(*header, where_, index_);
     while (lines_.next(line)) {
       if (ended_) fail(where_, "something stands after the event 'end'", kSimulateAgain);
-      add(event_log::read_log_line(parse(line), where_, index_));
+      const std::optional<Json> json = parse(line);
+      if (!json) break;
+      add(event_log::read_log_line(*json, where_, index_));
     }
-    if (!ended_) cut_off("the log is cut off: its last line is not the event 'end'");
+    if (!ended_ && !document_.cut_off) {
+      cut_off("the log is cut off: its last line is not the event 'end'");
+    }
     return std::move(document_);
   }
 
  private:
-  [[noreturn]] void cut_off(const std::string& message) {
-    fail({where_.file, last_line_}, message,
-         "the run was stopped or is still going on; simulate it again to its end");
+  void cut_off(const std::string& message) {
+    const char* hint = "the run was stopped or is still going on; simulate it again to its end";
+    if (!accepts_cut_off_) fail({where_.file, last_line_}, message, hint);
+    document_.cut_off = Diagnostic{.severity = Diagnostic::Severity::kWarning,
+                                   .file = where_.file,
+                                   .line = last_line_,
+                                   .message = message,
+                                   .hint = hint};
+    document_.end = {.tick = latest_, .status = RunStatus::kRunning, .makespan = {}};
   }
 
-  Json parse(const std::string& line) {
+  /// None for the last line of a log that is cut off within it.
+  std::optional<Json> parse(const std::string& line) {
     last_line_ = where_.line;
     if (nesting(line) > kDeepestLogNesting) {
       fail(where_, fmt::format("lists and objects are nested deeper than {}", kDeepestLogNesting),
@@ -131,6 +147,7 @@ class DocumentReader {
     if (!json.is_discarded()) return json;
     if (!lines_.ended() && line.front() == '{') {
       cut_off("the log is cut off in the middle of this line");
+      return std::nullopt;
     }
     fail(where_, fmt::format("is not JSON: {}", event_log::in_quotes(line)),
          "an event log is one JSON object per line; see docs/formats/event_log.md");
@@ -195,15 +212,16 @@ class DocumentReader {
   Tick latest_ = 0;
   int last_line_ = 0;
   bool ended_ = false;
+  bool accepts_cut_off_ = false;
 };
 
 }  // namespace
 
-LogDocument read_event_log(std::istream& stream, const std::string& file_name) {
-  return DocumentReader(stream, file_name).read();
+LogDocument read_event_log(std::istream& stream, const std::string& file_name, CutOffLog cut_off) {
+  return DocumentReader(stream, file_name, cut_off).read();
 }
 
-LogDocument load_event_log(const std::string& file) {
+LogDocument load_event_log(const std::string& file, CutOffLog cut_off) {
   const auto unreadable = [&](const std::string& why) {
     fail({file, 0}, fmt::format("cannot be read: {}", why), "check the name and the folder");
   };
@@ -212,7 +230,7 @@ LogDocument load_event_log(const std::string& file) {
   errno = 0;
   std::ifstream stream(file, std::ios::binary);
   if (!stream) unreadable(errno != 0 ? std::strerror(errno) : "unknown reason");
-  return read_event_log(stream, file);
+  return read_event_log(stream, file, cut_off);
 }
 
 }  // namespace linewright

@@ -216,6 +216,82 @@ TEST(LogDocument, RefusesAHeaderWithoutAKey) {
   }
 }
 
+/// The small log with what only pictures need, which logs of earlier versions lack.
+std::string log_with_looks() {
+  std::string text = test::small_log_with(
+      R"("hall":)",
+      R"("kinds":{"human":{"radius_m":0.25,"speed_mps":1.5},"robot":{"footprint_m":[1.4,0.9],"speed_mps":2}},"machine_stations":{"press":"desk"},"machine_positions":{"clamp":["open","shut"]},"machine_areas":{"press":[[2,2],[4,2],[4,3]]},"hall":)");
+  const std::string table = R"({"name":"table","of":"box")";
+  return text.replace(text.find(table), table.size(), table + R"(,"at":"rack")");
+}
+
+TEST(LogDocument, WhatIsThereOfALogThatIsCutOffCanBeRead) {
+  const auto so_far = [](const std::string& text) {
+    std::istringstream stream(text);
+    return read_event_log(stream, "run.jsonl", CutOffLog::kAccept);
+  };
+  const std::string text = test::small_log();
+  EXPECT_FALSE(so_far(text).cut_off);
+  const std::size_t header = text.find('\n') + 1;
+  for (std::size_t size = header; size < text.size(); ++size) {
+    const LogDocument log = so_far(text.substr(0, size));
+    EXPECT_EQ(log.cut_off.has_value(), size < text.size() - 1) << size;
+    if (!log.cut_off) continue;
+    EXPECT_EQ(log.end.status, RunStatus::kRunning);
+    EXPECT_EQ(log.end.tick, log.events.empty() ? 0 : log.events.back().tick);
+  }
+  const std::string half = text.substr(0, text.find("\"pick_up\"") + 4);
+  EXPECT_EQ(so_far(half).cut_off->line, 6);
+  EXPECT_EQ(so_far(half).events.size(), 4U);
+  EXPECT_NE(complaint(half).find("cut off in the middle of this line"), std::string::npos);
+  EXPECT_THROW(so_far(text.substr(0, header / 2)), ScenarioError);
+  EXPECT_THROW(so_far(""), ScenarioError);
+}
+
+TEST(LogDocument, HoldsHowWorkersAndMachinesAreDrawn) {
+  const LogHeader header = read_text(log_with_looks()).header;
+  ASSERT_EQ(header.kinds.size(), 2U);
+  EXPECT_EQ(header.kinds[0].name, "human");
+  EXPECT_EQ(header.kinds[0].radius_m, 0.25);
+  EXPECT_EQ(header.kinds[0].speed_mps, 1.5);
+  EXPECT_EQ(header.kinds[1].footprint_m, (std::vector<double>{1.4, 0.9}));
+  EXPECT_EQ(header.stations[header.places[1].at->index()].name, "rack");
+  EXPECT_FALSE(header.places[0].at);
+  ASSERT_EQ(header.machine_sites.size(), 2U);
+  EXPECT_EQ(header.stations[header.machine_sites[0].at->index()].name, "desk");
+  EXPECT_EQ(header.machine_sites[0].area_m.size(), 3U);
+  EXPECT_EQ(header.machine_sites[1].positions, (std::vector<std::string>{"open", "shut"}));
+  EXPECT_TRUE(header.machine_sites[1].area_m.empty());
+}
+
+TEST(LogDocument, ALogWithoutTheseKeysIsWhole) {
+  const LogHeader header = read_text(test::small_log()).header;
+  EXPECT_TRUE(header.kinds.empty());
+  ASSERT_EQ(header.machine_sites.size(), 2U);
+  EXPECT_FALSE(header.machine_sites[0].at);
+}
+
+TEST(LogDocument, RefusesLooksThatAreWrong) {
+  const auto said = [](const std::string& from, const std::string& to) {
+    std::string text = log_with_looks();
+    return complaint(text.replace(text.find(from), from.size(), to));
+  };
+  EXPECT_NE(said("[1.4,0.9]", "[1.4]").find("'footprint_m' of kind 'robot' must be a list of 2"),
+            std::string::npos);
+  EXPECT_NE(said("0.25", "-1").find("'radius_m' of kind 'human' must be a number"),
+            std::string::npos);
+  EXPECT_NE(said(R"({"press":"desk"})", R"({"pres":"desk"})").find("unknown machine 'pres'"),
+            std::string::npos);
+  EXPECT_NE(said(R"({"press":"desk"})", R"({"press":"dsk"})").find("unknown station 'dsk'"),
+            std::string::npos);
+  EXPECT_NE(said(",[4,3]]", "]").find("the area of 'press' has fewer than three corners"),
+            std::string::npos);
+  EXPECT_NE(said(R"(["open","shut"])", R"(["open",2])").find("must hold text only"),
+            std::string::npos);
+  EXPECT_NE(said(R"("at":"rack")", R"("at":3)").find("'at' of places[1] must be text"),
+            std::string::npos);
+}
+
 TEST(LogDocument, HoldsZonesAndWaysFromBetweenStations) {
   const LogDocument log = read_text(test::zones_log());
   ASSERT_EQ(log.header.zones.size(), 1U);

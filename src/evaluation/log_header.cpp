@@ -12,6 +12,7 @@ namespace {
 
 // Far beyond what a scenario may have; bounds what a hostile file can cost.
 constexpr double kTallestObstacle = 1e5;  // metres
+constexpr double kLargest = 1e6;          // of a worker's measures
 constexpr std::size_t kMostEntries = 30'000;
 constexpr std::int64_t kLargestAmount = 1'000'000'000'000;
 constexpr std::int64_t kLargestInt = INT32_MAX;
@@ -25,10 +26,12 @@ class HeaderReader {
     check_format();
     read_run();
     read_stations();
+    read_kinds();
     read_workers();
     read_carriers();
     read_places();
     read_machines();
+    read_machine_sites();
     read_operations();
     read_tasks();
     read_order();
@@ -84,6 +87,26 @@ class HeaderReader {
     }
   }
 
+  void read_kinds() {
+    if (fields_.find("kinds") == nullptr) return;
+    const LogFields kinds = fields_.object("kinds");
+    for (const auto& [name, value] : kinds.json().items()) {
+      const LogFields entry(value, fmt::format("kind {}", in_quotes(name)), where_);
+      LogKind kind{.name = name};
+      if (entry.find("radius_m") != nullptr) kind.radius_m = entry.number("radius_m", 0, kLargest);
+      if (entry.find("footprint_m") != nullptr) {
+        kind.footprint_m =
+            numbers_of(entry.at("footprint_m"), 2, "'footprint_m' of " + entry.title(), where_);
+      }
+      if (entry.find("outline_m") != nullptr) {
+        kind.outline_m = polygon(entry.list("outline_m"), entry.title());
+      }
+      if (entry.find("speed_mps") != nullptr)
+        kind.speed_mps = entry.number("speed_mps", 0, kLargest);
+      header_.kinds.push_back(std::move(kind));
+    }
+  }
+
   void read_workers() {
     each("workers", [&](const LogFields& entry) {
       index_.workers.add(entry.text("id"), where_);
@@ -112,6 +135,7 @@ class HeaderReader {
         place.capacity = entry.integer("capacity", 0, kLargestAmount);
       }
       if (entry.find("berth") != nullptr) place.berth = entry.text("berth");
+      if (entry.find("at") != nullptr) place.at = entry.id<StationId>("at", index_.stations);
       index_.places.add(place.name, where_);
       header_.places.push_back(std::move(place));
     });
@@ -124,6 +148,35 @@ class HeaderReader {
       header_.machines.push_back(text_of(name, "'machines' of the header", where_));
       index_.machines.add(header_.machines.back(), where_);
     }
+  }
+
+  /// Calls `read` with every entry of the mapping from machines under `key`, which may be missing.
+  void each_site(
+      const char* key,
+      const std::function<void(LogMachineSite&, const LogFields&, const std::string&)>& read) {
+    if (fields_.find(key) == nullptr) return;
+    const LogFields sites = fields_.object(key);
+    for (const auto& [name, value] : sites.json().items()) {
+      read(header_.machine_sites[index_.machines.at(name, where_)], sites, name);
+    }
+  }
+
+  void read_machine_sites() {
+    header_.machine_sites.resize(header_.machines.size());
+    each_site("machine_stations",
+              [&](LogMachineSite& site, const LogFields& of, const std::string& name) {
+                site.at = of.id<StationId>(name.c_str(), index_.stations);
+              });
+    each_site("machine_positions",
+              [&](LogMachineSite& site, const LogFields& of, const std::string& name) {
+                for (const Json& position : of.list(name.c_str())) {
+                  site.positions.push_back(text_of(position, of.title(), where_));
+                }
+              });
+    each_site("machine_areas",
+              [&](LogMachineSite& site, const LogFields& of, const std::string& name) {
+                site.area_m = polygon(of.list(name.c_str()), "the area of " + in_quotes(name));
+              });
   }
 
   std::vector<MachineId> machines(const LogFields& entry, const char* key) const {
@@ -186,11 +239,7 @@ class HeaderReader {
       fields_.wrong("zones", fmt::format("a list of at most {} zones", kMostZones));
     }
     each("zones", [&](const LogFields& entry) {
-      LogZone zone{entry.text("name"), {}, {}};
-      for (const Json& corner : entry.list("polygon")) {
-        const auto n = numbers_of(corner, 2, "a corner of " + entry.title(), where_);
-        zone.polygon.push_back({n[0], n[1]});
-      }
+      LogZone zone{entry.text("name"), polygon(entry.list("polygon"), entry.title()), {}};
       for (const Json& span : entry.list("closed")) zone.closed.push_back(span_of(span, entry));
       index_.zones.add(zone.name, where_);
       header_.zones.push_back(std::move(zone));
@@ -215,13 +264,15 @@ class HeaderReader {
     return {n[0], n[1], n[2], n[3]};
   }
 
-  std::vector<Point2> polygon(const LogFields& obstacle) const {
+  std::vector<Point2> polygon(const Json& list, const std::string& of) const {
     std::vector<Point2> corners;
-    for (const Json& corner : obstacle.list("polygon")) {
-      const auto n = numbers_of(corner, 2, "a corner of " + obstacle.title(), where_);
+    for (const Json& corner : list) {
+      const auto n = numbers_of(corner, 2, "a corner of " + of, where_);
       corners.push_back({n[0], n[1]});
     }
-    if (corners.size() < 3) obstacle.wrong("polygon", "a list of three corners at least");
+    if (corners.size() < 3) {
+      fail(where_, fmt::format("{} has fewer than three corners", of), "give three at least");
+    }
     return corners;
   }
 
@@ -232,7 +283,8 @@ class HeaderReader {
     read.bounds = rectangle(hall, "bounds");
     for (const Json& entry : hall.list("obstacles")) {
       const LogFields obstacle(entry, "an obstacle of the hall", where_);
-      read.obstacles.push_back({obstacle.text("name"), polygon(obstacle),
+      read.obstacles.push_back({obstacle.text("name"),
+                                polygon(obstacle.list("polygon"), obstacle.title()),
                                 obstacle.number("height", 0.0, kTallestObstacle)});
     }
   }

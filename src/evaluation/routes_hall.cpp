@@ -7,6 +7,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "linewright/base/markup.hpp"
+
 namespace linewright::routes {
 namespace {
 
@@ -108,22 +110,47 @@ std::string filled(const char* style, const std::string& data) {
   return data.empty() ? "" : fmt::format("<path class=\"{}\" d=\"{}\"/>\n", style, data);
 }
 
+/// 1, 2 or 5 times a power of ten, about a sixth of the hall.
+double bar_m(const View& view) {
+  const double most = (view.hall.x1_m - view.hall.x0_m) / 5.0;
+  const double power = std::pow(10.0, std::floor(std::log10(most)));
+  for (const double factor : {5.0, 2.0}) {
+    if (factor * power <= most) return factor * power;
+  }
+  return power;
+}
+
 }  // namespace
 
-std::string hall_svg(const HallMap& map, const View& view) {
-  const std::string floor = outline(floor_of(map), view);
+std::string floor_svg(const Polygon& floor, const std::string& cells, const std::string& obstacles,
+                      const View& view) {
+  const std::string edge = outline(floor, view);
   // Obstacles may stick out of the hall.
-  std::string svg = fmt::format("<clipPath id=\"lw-floor\"><path d=\"{}\"/></clipPath>\n", floor) +
-                    filled("floor", floor) + "<g clip-path=\"url(#lw-floor)\">\n";
+  return fmt::format("<clipPath id=\"lw-floor\"><path d=\"{}\"/></clipPath>\n", edge) +
+         filled("floor", edge) + "<g clip-path=\"url(#lw-floor)\">\n" + cells +
+         filled("block", obstacles) + "</g>\n" + filled("wall", edge);
+}
+
+std::string hall_svg(const HallMap& map, const View& view) {
+  std::string cells;
   if (!map.occupancy.empty()) {
     std::string occupied;
     std::string unknown;
     Blocks(*map.grid, view).draw(occupied, unknown);
-    svg += filled("unknown", unknown) + filled("cells", occupied);
+    cells = filled("unknown", unknown) + filled("cells", occupied);
   }
   std::string obstacles;
   for (const Obstacle& obstacle : map.obstacles) obstacles += outline(obstacle.polygon, view);
-  return svg + filled("block", obstacles) + "</g>\n" + filled("wall", floor);
+  return floor_svg(floor_of(map), cells, obstacles, view);
+}
+
+std::string scale_bar(const View& view, double right) {
+  const double metres = bar_m(view);
+  const double left = right - metres * view.scale;
+  return fmt::format(
+      "<path class=\"bar-line\" d=\"M{0} 7v8M{0} 11H{1}M{1} 7v8\"/>\n"
+      "<text class=\"ink end\" x=\"{2}\" y=\"15\">{3:.6g} m</text>\n",
+      markup::coordinate(left), markup::coordinate(right), markup::coordinate(left - 8.0), metres);
 }
 
 }  // namespace linewright::routes

@@ -10,6 +10,7 @@
 
 #include "label_places.hpp"
 #include "linewright/base/markup.hpp"
+#include "routes_names.hpp"
 
 namespace linewright::routes {
 namespace {
@@ -156,13 +157,6 @@ class PanelPainter {
                         coordinate(foot.y - dx * kHalf));
   }
 
-  [[nodiscard]] labels::Box box_of(const Polygon& polygon) const {
-    const Rectangle r = bounds_of(polygon);
-    const Pixel low = view_.at({r.x0_m, r.y0_m});
-    const Pixel high = view_.at({r.x1_m, r.y1_m});
-    return {low.x, high.y, high.x, low.y};
-  }
-
   /// Names are better read on the free floor.
   void note_obstacles() {
     constexpr double kStep = 3.0;
@@ -237,40 +231,9 @@ class PanelPainter {
   }
 
   void paint_obstacle_names() {
-    for (const Obstacle& obstacle : map_.obstacles) paint_obstacle_name(obstacle);
-  }
-
-  /// Inside of the obstacle, in the middle if there is room, written across or upwards.
-  void paint_obstacle_name(const Obstacle& obstacle) {
-    constexpr double kSize = 10.0;
-    const double width = markup::text_width(obstacle.name, kSize) + 2.0;
-    const labels::Box all = box_of(obstacle.polygon);
-    for (const bool across : {true, false}) {
-      const double half_x = (across ? width : kSize) / 2.0;
-      const double half_y = (across ? kSize : width) / 2.0;
-      for (const double share : {0.5, 0.3, 0.7, 0.15, 0.85}) {
-        const double x = (all.x0 + all.x1) / 2.0;
-        const double y = all.y0 + (all.y1 - all.y0) * share;
-        const labels::Box box{x - half_x, y - half_y, x + half_x, y + half_y};
-        if (!within(box, obstacle.polygon) || !placer_.take(box)) continue;
-        svg_ += fmt::format(
-            "<text class=\"small mid muted\" transform=\"translate({} {}){}\" "
-            "dy=\"3.4\">{}</text>\n",
-            coordinate(x), coordinate(y), across ? "" : " rotate(-90)", escaped(obstacle.name));
-        return;
-      }
+    for (const Obstacle& obstacle : map_.obstacles) {
+      svg_ += name_within(obstacle.polygon, obstacle.name, view_, placer_);
     }
-  }
-
-  /// By its corners: a name is short against what could stick into it.
-  [[nodiscard]] bool within(const labels::Box& box, const Polygon& polygon) const {
-    Polygon corners;
-    for (const Point2 corner : polygon) {
-      const Pixel at = view_.at(corner);
-      corners.push_back({at.x, at.y});
-    }
-    return contains(corners, {box.x0, box.y0}) && contains(corners, {box.x1, box.y0}) &&
-           contains(corners, {box.x1, box.y1}) && contains(corners, {box.x0, box.y1});
   }
 
   const HallMap& map_;

@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "gantt_style.hpp"
 #include "linewright/base/markup.hpp"
 #include "routes_hall.hpp"
 #include "routes_panel.hpp"
+#include "routes_style.hpp"
 
 namespace linewright {
 namespace {
@@ -22,29 +22,6 @@ constexpr double kGap = 16.0;
 constexpr double kHeadHeight = 52.0;
 constexpr double kLegendHeight = 34.0;
 constexpr double kNarrowest = 740.0;  // the legend's width
-constexpr std::size_t kColors = 12;
-
-constexpr const char* kRules = R"css(
-.way{fill:none;stroke-linejoin:round;stroke-linecap:round}.back{stroke-dasharray:4 3.2;stroke-linecap:butt}
-.panel{font-size:14px;font-weight:650}.facts{font-weight:400}.place{font-size:11px;stroke-width:3px;paint-order:stroke;stroke-linejoin:round}
-.floor{stroke:none}.wall{fill:none;stroke-width:1.2}.block{stroke-width:.8}.tick{stroke-width:1.6;fill:none;stroke-linecap:round}
-.stop{stroke-width:1.2}.start{fill:none;stroke-width:1.6}.cross{fill:none;stroke-width:1.6}.lead{fill:none;stroke-width:.9}.bar-line{fill:none;stroke-width:1.4}
-)css";
-constexpr const char* kLightRules =
-    ".floor{fill:#fff}.wall{stroke:#5b6876}.block,.cells{fill:#dde3e9}.block{stroke:#b7c1cb}"
-    ".unknown{fill:#eff2f5}.tick,.start,.bar-line{stroke:#18212b}.stop{stroke:#fff}"
-    ".missing{fill:#fff;stroke:#5b6876}.cross{stroke:#c22f1e}.lead{stroke:#8795a4}"
-    ".place{fill:#18212b;stroke:#fff}.mark{fill:#18212b}";
-constexpr const char* kDarkRules =
-    ".floor{fill:#12161b}.wall{stroke:#98a5b3}.block,.cells{fill:#2b343e}.block{stroke:#46525f}"
-    ".unknown{fill:#1c2229}.tick,.start,.bar-line{stroke:#e9eef3}.stop{stroke:#12161b}"
-    ".missing{fill:#12161b;stroke:#98a5b3}.cross{stroke:#ff7d68}.lead{stroke:#66788a}"
-    ".place{fill:#e9eef3;stroke:#12161b}.mark{fill:#e9eef3}";
-
-std::string style_sheet() {
-  return gantt::style_sheet(kColors) + kRules + kLightRules +
-         fmt::format("@media (prefers-color-scheme:dark){{{}}}\n", kDarkRules);
-}
 
 /// The kinds of the panels, each once: "human: hybrid_a_star, 90 pairs".
 std::string facts_line(const Scenario& scenario, const std::vector<RoutesPanel>& panels) {
@@ -62,16 +39,6 @@ std::string facts_line(const Scenario& scenario, const std::vector<RoutesPanel>&
     if (routes.routes.failed() > 0) line += fmt::format(", {} missing", routes.routes.failed());
   }
   return line;
-}
-
-/// 1, 2 or 5 times a power of ten, about a sixth of the hall.
-double bar_m(const View& view) {
-  const double most = (view.hall.x1_m - view.hall.x0_m) / 5.0;
-  const double power = std::pow(10.0, std::floor(std::log10(most)));
-  for (const double factor : {5.0, 2.0}) {
-    if (factor * power <= most) return factor * power;
-  }
-  return power;
 }
 
 std::string legend_svg(const View& view, double right) {
@@ -92,13 +59,7 @@ std::string legend_svg(const View& view, double right) {
   entry("<path class=\"way k4\" stroke-width=\"2.4\" d=\"M0 0h26\"/>", "route, coloured by goal");
   entry("<path class=\"way back k4\" stroke-width=\"2.4\" d=\"M0 0h26\"/>", "backwards");
   entry("<rect class=\"block\" x=\"2\" y=\"-6\" width=\"22\" height=\"12\"/>", "obstacle");
-  const double metres = bar_m(view);
-  const double left = right - metres * view.scale;
-  svg += fmt::format(
-      "<path class=\"bar-line\" d=\"M{0} 7v8M{0} 11H{1}M{1} 7v8\"/>\n"
-      "<text class=\"ink end\" x=\"{2}\" y=\"15\">{3:.6g} m</text>\n",
-      coordinate(left), coordinate(right), coordinate(left - 8.0), metres);
-  return svg;
+  return svg + routes::scale_bar(view, right);
 }
 
 /// Everything between the head and the foot.
@@ -133,7 +94,7 @@ std::string routes_svg(const Scenario& scenario, const std::vector<RoutesPanel>&
       "{1}\" role=\"img\">\n<title>{2}</title>\n<desc>{3}</desc>\n<style>{4}</style>\n"
       "<defs><g id=\"lw-hall\">\n{5}</g></defs>\n"
       "<rect class=\"bg\" width=\"100%\" height=\"100%\"/>\n<g transform=\"translate({6} {6})\">\n",
-      coordinate(width), coordinate(height), title, facts, style_sheet(),
+      coordinate(width), coordinate(height), title, facts, routes::style_sheet(),
       routes::hall_svg(*scenario.map, view), coordinate(kMargin));
   svg += fmt::format("<text class=\"title ink\" x=\"8\" y=\"18\">{}</text>\n", title);
   svg += fmt::format("<text class=\"muted\" x=\"8\" y=\"39\">{}</text>\n", facts);

@@ -12,8 +12,6 @@ namespace {
 
 using Kind = PathSegment::Kind;
 
-constexpr double kWidest = 660.0;   // of the hall, pixels
-constexpr double kHighest = 520.0;  // of the hall, pixels
 constexpr double kNarrowest = 420.0;
 constexpr double kMargin = 8.0;
 
@@ -51,10 +49,10 @@ Point2 View::point(Pixel at) const {
   return {hall.x0_m + (at.x - left()) / scale, hall.y1_m - (at.y - kMargin) / scale};
 }
 
-View view_of(const Rectangle& hall) {
+View view_of(const Rectangle& hall, double most_width, double most_height) {
   const double width_m = hall.x1_m - hall.x0_m;
   const double height_m = hall.y1_m - hall.y0_m;
-  View view{.hall = hall, .scale = std::min(kWidest / width_m, kHighest / height_m)};
+  View view{.hall = hall, .scale = std::min(most_width / width_m, most_height / height_m)};
   view.width = std::max(kNarrowest, width_m * view.scale) + 2.0 * kMargin;
   view.height = height_m * view.scale + 2.0 * kMargin;
   return view;

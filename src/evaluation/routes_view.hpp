@@ -28,7 +28,9 @@ struct View {
   [[nodiscard]] double left() const;  ///< of the hall in the panel
 };
 
-[[nodiscard]] View view_of(const Rectangle& hall);
+/// `most_width` and `most_height`: of the hall, pixels.
+[[nodiscard]] View view_of(const Rectangle& hall, double most_width = 660.0,
+                           double most_height = 520.0);
 
 /// Path data of a closed polygon.
 [[nodiscard]] std::string outline(const Polygon& polygon, const View& view);

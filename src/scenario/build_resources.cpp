@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "areas.hpp"
 #include "build_state.hpp"
 #include "limits.hpp"
 #include "linewright/scenario/values.hpp"
@@ -156,6 +157,9 @@ void build_machine(BuildState& state, std::int32_t id, const SourceNode& node) {
   Machine machine;
   machine.name = state.names.names(Section::kMachines)[static_cast<std::size_t>(id)];
   machine.at = reference_at<StationId>(state, Section::kStations, node, "at", title);
+  if (const SourceNode* area = node.find("area_m"); area != nullptr && area->sound) {
+    machine.area_m = read_area(state, *area, title).value_or(Polygon{});
+  }
   read_positions(state, node, title, machine);
   if (const SourceNode* start = node.find("start")) {
     machine.start = position(state, machine, start->text, start->mark, title).value_or(0);

@@ -99,11 +99,25 @@ ShapePtr place() {
            "From when a carrier counts as standing in the berth")});
 }
 
+ShapePtr corners() {
+  return list(list(coordinate(), "[x, y]", 2, 2),
+              fmt::format("a list of 3 to {} corners [x, y]", kMostCorners), 3, kMostCorners);
+}
+
+ShapePtr area() {
+  return one_of(
+      {rectangle(),
+       variant("area", "a mapping {polygon: [[x, y], ...]}",
+               {mapping("", {required("rectangle", rectangle(), "x0, x1, y0, y1 in metres")}),
+                mapping("", {required("polygon", corners(), "Corners in order, metres")})})});
+}
+
 ShapePtr machine() {
   const ShapePtr position = name("a position");
   return mapping(
       "a mapping with the properties of a machine",
       {key("at", name("a station"), "Where it is drawn"),
+       key("area_m", area(), "The floor it takes up, for pictures only"),
        key("positions", list(position, "a list of at most 64 positions", 1, kMostPositions),
            "Where the machine can stand"),
        key("start", position, "Where it stands at the start. Default: the first position"),
@@ -229,15 +243,12 @@ ShapePtr milestone() {
 
 ShapePtr obstacle() {
   const Field height = key("height_m", real(1e-3, 1e3), "For pictures, metres. Default 1.0");
-  const ShapePtr corners =
-      list(list(coordinate(), "[x, y]", 2, 2),
-           fmt::format("a list of 3 to {} corners [x, y]", kMostCorners), 3, kMostCorners);
   return one_of(
       {rectangle(),
        variant(
            "obstacle", "a mapping {rectangle: [x0, x1, y0, y1], height_m: H}",
            {mapping("", {required("rectangle", rectangle(), "x0, x1, y0, y1 in metres"), height}),
-            mapping("", {required("polygon", corners, "Corners in order, metres"), height})})});
+            mapping("", {required("polygon", corners(), "Corners in order, metres"), height})})});
 }
 
 ShapePtr map() {

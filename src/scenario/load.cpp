@@ -16,6 +16,7 @@ namespace {
 
 using loading::BuildState;
 using loading::Problems;
+using loading::SourceEntry;
 using loading::SourceNode;
 
 void build(BuildState& state) {
@@ -40,11 +41,23 @@ void check(const BuildState& state) {
   loading::check_order(state);
 }
 
+/// The hash of what a run depends on. Floor areas of machines are only drawn: with or without them,
+/// policies, priorities, caches and logs of a scenario stay valid.
+std::uint64_t hash_of_run(SourceNode root) {
+  if (SourceNode* machines = root.find("machines")) {
+    for (SourceEntry& machine : machines->entries) {
+      std::erase_if(machine.value.entries,
+                    [](const SourceEntry& entry) { return entry.key == "area_m"; });
+    }
+  }
+  return loading::content_hash(root);
+}
+
 /// From the merged tree to the scenario. Names come first and everything that needs the whole line
 /// last, so that the order in the file does not matter.
 Scenario resolve(SourceNode root, const std::string& file, bool may_read_files,
                  const LoadOptions& options, Problems& problems) {
-  std::uint64_t hash = loading::content_hash(root);
+  std::uint64_t hash = hash_of_run(root);
   loading::expand_templates(root, problems);
   loading::check_shape(root, loading::scenario_shape(), problems);
   BuildState state(root, problems);

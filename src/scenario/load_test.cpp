@@ -329,6 +329,35 @@ TEST(LoadScenario, HashIgnoresCommentsAndLayoutOnly) {
   EXPECT_NE(hash(small_line()), hash(small_line("", "4")));
 }
 
+TEST(LoadScenario, FloorAreasOfMachinesAreForPicturesOnly) {
+  const auto load = [](const std::string& machines) {
+    return load_scenario_text(small_line("machines: {" + machines + "}\n"), "t");
+  };
+  const Scenario plain = load("press: {}, saw: {}");
+  const Scenario drawn =
+      load("press: {area_m: [1, 3, 2, 4]}, saw: {area_m: {polygon: [[0, 0], [0, 1], [1, 0]]}}");
+  EXPECT_EQ(plain.content_hash, drawn.content_hash);
+  EXPECT_NE(plain.content_hash, load("press: {}, lathe: {}").content_hash);
+  EXPECT_TRUE(plain.line.machines[0].area_m.empty());
+  const auto& press = drawn.line.machines[0].area_m;
+  ASSERT_EQ(press.size(), 4U);
+  EXPECT_EQ(press[2].x_m, 3.0);
+  EXPECT_EQ(press[2].y_m, 4.0);
+  const auto& saw = drawn.line.machines[1].area_m;  // counter-clockwise, as all polygons
+  ASSERT_EQ(saw.size(), 3U);
+  EXPECT_GT(doubled_area_m2(saw), 0.0);
+}
+
+TEST(LoadScenario, FloorAreasMayDifferPerValueOfATemplate) {
+  const Scenario scenario = load_scenario_text(
+      small_line(
+          "for: {s: [left, right]}\n"
+          "machines: {press.$s: {area_m: [{left: 0, right: 5}, {left: 1, right: 6}, 0, 1]}}\n"),
+      "t");
+  EXPECT_EQ(scenario.line.machines[0].area_m[0].x_m, 0.0);
+  EXPECT_EQ(scenario.line.machines[1].area_m[0].x_m, 5.0);
+}
+
 TEST(LoadScenario, ExtendsNeedsAFile) {
   EXPECT_NE(error_of(small_line("extends: other.yaml\n")).find("'extends' needs a file"),
             std::string::npos);

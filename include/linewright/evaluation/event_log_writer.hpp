@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -24,5 +25,12 @@ namespace linewright {
 [[nodiscard]] std::string event_log_text(const Scenario& scenario, const EventLog& log,
                                          double progress,
                                          const std::vector<DecisionExplanation>& explanations = {});
+
+/// Its parts, for a run that is still going on: the first line, and the lines of the events from
+/// `first` on, one each.
+[[nodiscard]] std::string event_log_header(const Scenario& scenario, const RunSetup& setup);
+[[nodiscard]] std::string event_log_lines(
+    const Scenario& scenario, const EventLog& log, std::size_t first, double progress,
+    const std::vector<DecisionExplanation>& explanations = {});
 
 }  // namespace linewright

@@ -30,6 +30,7 @@ struct GanttInterval {
   std::int32_t decision = 0;        ///< 0: none
   std::string label;                ///< for inside the bar: the task or the operation
   std::string text;                 ///< for hovering: who, what, when
+  std::string what;                 ///< what of `text`: "walk rack → table", "held after pick"
 };
 
 /// One worker or machine; intervals in order of time, without overlaps, within the run.

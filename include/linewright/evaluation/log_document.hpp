@@ -11,6 +11,7 @@
 #include <variant>
 #include <vector>
 
+#include "linewright/base/diagnostic.hpp"
 #include "linewright/base/geometry.hpp"
 #include "linewright/base/id.hpp"
 #include "linewright/base/tick.hpp"
@@ -22,6 +23,15 @@
 // and tasks, but not for stations, which are sorted by name.
 
 namespace linewright {
+
+/// A kind of worker, as far as it is drawn.
+struct LogKind {
+  std::string name;
+  double radius_m = 0.3;            ///< of a worker without footprint and outline
+  std::vector<double> footprint_m;  ///< {length, width}, or empty
+  std::vector<Point2> outline_m;    ///< around the pose, x forward, or empty
+  std::optional<double> speed_mps;
+};
 
 struct LogWorker {
   std::string id;
@@ -47,11 +57,19 @@ struct LogPlace {
   std::int64_t initial = 0;
   std::optional<std::int64_t> capacity;
   std::string berth;  ///< kind of carrier; empty: not a berth
+  std::optional<StationId> at;
 };
 
 struct LogTokens {
   PlaceId place;
   std::int64_t count = 1;
+};
+
+/// Where a machine is and how it looks, as far as the log says.
+struct LogMachineSite {
+  std::optional<StationId> at;
+  std::vector<std::string> positions;  ///< where it can stand
+  std::vector<Point2> area_m;          ///< three corners at least, or empty
 };
 
 struct LogOperation {
@@ -102,11 +120,13 @@ struct LogHeader {
   std::string product;
   std::int64_t quantity = 0;
   PlaceId finished_in;
+  std::vector<LogKind> kinds;  ///< of workers, by name; empty: the log does not say
   std::vector<LogWorker> workers;
   std::vector<LogCarrier> carriers;
   std::vector<LogStation> stations;
   std::vector<LogPlace> places;
   std::vector<std::string> machines;
+  std::vector<LogMachineSite> machine_sites;  ///< by machine
   std::vector<LogOperation> operations;
   std::vector<LogTask> tasks;
   std::vector<LogZone> zones;
@@ -224,7 +244,8 @@ struct LoggedEvent {
 /// How the run ended.
 struct LoggedEnd {
   Tick tick = 0;
-  RunStatus status = RunStatus::kFinished;  ///< kFinished, kDeadlock or kHorizon
+  RunStatus status = RunStatus::kFinished;  ///< kFinished, kDeadlock or kHorizon; of a log that is
+                                            ///< cut off kRunning
   std::optional<Tick> makespan;
   double progress = 0.0;  ///< 0 ... 1
 };
@@ -238,6 +259,7 @@ struct LogDocument {
   std::vector<LoggedEvent> events;
   LoggedEnd end;
   std::vector<std::size_t> decisions;  ///< index into events; decision n is decisions[n - 1]
+  std::optional<Diagnostic> cut_off;   ///< where and how the log breaks off; none: it is complete
 
   [[nodiscard]] const LoggedDecision& decision(std::int32_t n) const {
     return std::get<LoggedDecision>(events[decisions[static_cast<std::size_t>(n - 1)]].what);
@@ -248,11 +270,19 @@ struct LogDocument {
 inline constexpr std::size_t kLongestLogLine = 16U << 20U;
 inline constexpr int kDeepestLogNesting = 64;
 
+/// What to do with a log that breaks off before its end: a run that was stopped, or goes on.
+enum class CutOffLog {
+  kRefuse,  ///< throw ScenarioError
+  kAccept,  ///< read what is there: LogDocument::cut_off is set, and `end` is the last event's tick
+};
+
 /// Reads a log; `file_name` is for messages. Throws ScenarioError naming file and line when the
 /// input is not a complete log of this format. Keys it does not know are ignored.
-[[nodiscard]] LogDocument read_event_log(std::istream& stream, const std::string& file_name);
+[[nodiscard]] LogDocument read_event_log(std::istream& stream, const std::string& file_name,
+                                         CutOffLog cut_off = CutOffLog::kRefuse);
 
 /// Opens and reads the file. Throws ScenarioError, also when it cannot be read.
-[[nodiscard]] LogDocument load_event_log(const std::string& file);
+[[nodiscard]] LogDocument load_event_log(const std::string& file,
+                                         CutOffLog cut_off = CutOffLog::kRefuse);
 
 }  // namespace linewright

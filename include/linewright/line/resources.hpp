@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "linewright/base/geometry.hpp"
 #include "linewright/base/id.hpp"
 #include "linewright/base/tick.hpp"
 #include "linewright/line/condition.hpp"
@@ -62,6 +63,8 @@ struct Machine {
       travel;  ///< travel[to][from] in ticks; -1: not given; 0 on the diagonal
   std::optional<Homing> homing;
   std::optional<StationId> at;  ///< where it is drawn
+  std::vector<Point2> area_m;   ///< the floor it takes up, for pictures only: three corners at
+                               ///< least, counter-clockwise; or empty
 };
 
 /// A machine that an operation takes, and how it moves. Position values index Machine::positions.
