@@ -263,7 +263,11 @@ TEST(Cli, ReproduceTrainsWhatIsMissingAndNothingTwice) {
                                           "run: {evaluate_every: 10, evaluation_trials: 1}\n";
   std::ofstream(folder + "/learned.yaml")
       << "title: Learned\nscenario: line.yaml\ncolumns: crews\norders: [2]\nmetrics: [makespan]\n"
-         "trials: 2\nseeds: [1, 2]\nrows: [{row: mini, algorithm: mini.yaml}]\n";
+         "trials: 2\nseeds: [1, 2]\nrows: [{row: mini, algorithm: mini.yaml}, {row: one copy, "
+         "algorithm: mini.yaml, set: [buffer.copies=1]}]\n";
+  std::ofstream(folder + "/records.yaml")
+      << "title: Records\nscenario: line.yaml\ncolumns: training\nseeds: [1, 2]\n"
+         "rows: [{row: mini, algorithm: mini.yaml}]\n";
   const std::string command = "reproduce " + folder + "/learned.yaml --out " + folder + "/out";
   const Output first = linewright(command);
   ASSERT_EQ(first.code, 0) << first.err;
@@ -271,6 +275,14 @@ TEST(Cli, ReproduceTrainsWhatIsMissingAndNothingTwice) {
   const auto written = std::filesystem::last_write_time(policy);
   EXPECT_EQ(linewright(command).out, first.out);
   EXPECT_EQ(std::filesystem::last_write_time(policy), written);
+  const std::string variant = folder + "/out/train/line/buffer.copies=1/mini-s1/options.yaml";
+  EXPECT_NE(read_file(variant).find("copies: 1\n"), std::string::npos);
+  const Output records =
+      linewright("reproduce " + folder + "/records.yaml --out " + folder + "/out");
+  ASSERT_EQ(records.code, 0) << records.err;
+  EXPECT_NE(records.out.find("| 20 |"), std::string::npos) << records.out;  // updates
+  EXPECT_EQ(std::filesystem::last_write_time(policy), written);
+  EXPECT_TRUE(std::filesystem::exists(folder + "/out/figures/records_training_return.svg"));
   std::filesystem::remove_all(folder);
 }
 

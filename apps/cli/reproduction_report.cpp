@@ -40,20 +40,33 @@ std::string policies_of(const ReproduceArguments& arguments) {
              : "trained before, " + arguments.policies + " (each file says how)";
 }
 
+bool any_trained(const std::vector<Experiment>& experiments) {
+  for (const Experiment& experiment : experiments) {
+    for (const ExperimentRow& row : experiment.rows) {
+      if (!row.algorithm.empty()) return true;
+    }
+  }
+  return false;
+}
+
 std::vector<std::pair<std::string, std::string>> facts_of(const Reproduction& reproduction,
                                                           const ReproduceArguments& arguments,
                                                           double wall_s) {
-  return {{"Command", command_of(arguments)},
-          {"Program", "linewright " LINEWRIGHT_VERSION ", commit " LINEWRIGHT_COMMIT},
-          {"Written", fmt::format("{:%Y-%m-%d %H:%M} UTC", fmt::gmtime(std::time(nullptr)))},
-          {"Policies", policies_of(arguments)},
-          {"Training seeds", seeds_of(reproduction.experiments())},
-          {"Cells of the tables",
-           fmt::format("{}, played in {:.0f} s of wall clock (this run and earlier ones)",
-                       reproduction.cells(), reproduction.played_s())},
-          {"This run",
-           fmt::format("{:.0f} s of wall clock; what was there was not done again", wall_s)},
-          {"Machine", machine_facts()}};
+  std::vector<std::pair<std::string, std::string>> facts{
+      {"Command", command_of(arguments)},
+      {"Program", "linewright " LINEWRIGHT_VERSION ", commit " LINEWRIGHT_COMMIT},
+      {"Written", fmt::format("{:%Y-%m-%d %H:%M} UTC", fmt::gmtime(std::time(nullptr)))}};
+  if (any_trained(reproduction.experiments())) {
+    facts.emplace_back("Policies", policies_of(arguments));
+    facts.emplace_back("Training seeds", seeds_of(reproduction.experiments()));
+  }
+  facts.emplace_back("Cells of the tables",
+                     fmt::format("{}, played in {:.0f} s of wall clock (this run and earlier ones)",
+                                 reproduction.cells(), reproduction.played_s()));
+  facts.emplace_back("This run",
+                     fmt::format("{:.0f} s of wall clock, without what was there already", wall_s));
+  facts.emplace_back("Machine", machine_facts());
+  return facts;
 }
 
 /// How the claims of all experiments came out.
@@ -68,6 +81,7 @@ std::string summary_of(const std::vector<ExperimentResult>& results) {
       open += claim.verdict == JudgedClaim::Verdict::kOpen ? 1 : 0;
     }
   }
+  if (holds + contrary + open == 0) return {};
   return fmt::format(
       "Of {} claims {} hold, {} came out contrary, and {} are open: the 95 % interval of their "
       "difference holds zero, or there is none. Every claim says what its interval is over: one "

@@ -11,6 +11,7 @@
 #include "linewright/base/diagnostic.hpp"
 #include "linewright/evaluation/event_log_writer.hpp"
 #include "linewright/evaluation/gantt.hpp"
+#include "linewright/evaluation/hall_picture.hpp"
 #include "linewright/evaluation/recorded_run.hpp"
 #include "linewright/evaluation/routes_svg.hpp"
 #include "linewright/planning/episode.hpp"
@@ -46,6 +47,18 @@ std::vector<std::vector<StationId>> starts_of(const CaseStudy& study, const Line
   return starts;
 }
 
+void check_crew(const CaseStudy& study, const LineModel& line, const RunSetup& setup) {
+  for (std::size_t k = 0; k < line.worker_kinds.size(); ++k) {
+    const WorkerKind& kind = line.worker_kinds[k];
+    const auto count = static_cast<std::int32_t>(setup.worker_start[k].size());
+    if (count >= kind.count.min && count <= kind.count.max) continue;
+    throw ScenarioError(study.name + ".yaml",
+                        fmt::format("{} starts of {}, but the line has {} to {} of them", count,
+                                    in_quotes(kind.name), kind.count.min, kind.count.max),
+                        "give 'starts' a station for each");
+  }
+}
+
 RunSetup setup_of(const CaseStudy& study, const LineModel& line) {
   RunSetup setup{.order = study.order, .horizon = line.horizon.ticks(study.order)};
   std::set<std::string> used;
@@ -61,6 +74,7 @@ RunSetup setup_of(const CaseStudy& study, const LineModel& line) {
                         name_hint(kind, names));
   }
   setup.closures = all_closures(line, {});
+  check_crew(study, line, setup);
   check_setup(line, setup);
   return setup;
 }
@@ -96,6 +110,25 @@ ReportFigure chart_of(const CaseStudy& study, const CaseRow& row, const LogDocum
                      .svg = gantt_svg(chart),
                      .wide = true},
           .own_style = true};
+}
+
+/// Two pictures side by side on a page, each still to be read.
+constexpr HallPictureOptions kSmall{.most_width = 660.0, .most_height = 420.0};
+
+/// The hall at the marks of a run.
+std::vector<ReportFigure> snapshots_of(const CaseStudy& study, const LogDocument& log) {
+  std::vector<ReportFigure> figures;
+  for (const CaseMark& mark : study.marks) {
+    const auto tick = tick_of(mark, log);
+    if (!tick) continue;
+    figures.push_back(
+        {.figure = {.name = fmt::format("{}_snapshot_{}", study.name, mark.mark),
+                    .caption = fmt::format("({}) {}, tick {}: {}", mark.mark,
+                                           study.rows.front().who.name, *tick, mark.says),
+                    .svg = hall_picture(log, *tick, kSmall)},
+         .own_style = true});
+  }
+  return figures;
 }
 
 ReportTable outcomes_of(const CaseStudy& study, const std::vector<LogDocument>& logs) {
@@ -159,6 +192,9 @@ ReportSection section_of(const CaseStudy& study, const std::vector<LogDocument>&
   if (!study.marks.empty()) section.tables.push_back(marks_of(study, logs));
   for (std::size_t r = 0; r < study.rows.size(); ++r) {
     section.figures.push_back(chart_of(study, study.rows[r], logs.at(r)));
+  }
+  for (ReportFigure& figure : snapshots_of(study, logs.front())) {
+    section.figures.push_back(std::move(figure));
   }
   return section;
 }

@@ -79,7 +79,9 @@ TEST_F(CaseFile, IsReadAndPlayedFromItsStarts) {
   EXPECT_EQ(section.tables[1].rows[0].cells,
             (std::vector<std::string>{"a", "bring_flanges", "1", "1", "1", "first"}));
   EXPECT_EQ(section.tables[1].rows[2].cells[3], "never");
-  ASSERT_GE(section.figures.size(), 2U);
+  ASSERT_EQ(section.figures.size(), 4U);  // two charts, and the hall at a and b
+  EXPECT_EQ(section.figures[2].figure.name, "case_snapshot_a");
+  EXPECT_NE(section.figures[3].figure.svg.find("class=\"worker"), std::string::npos);
   for (std::size_t row = 0; row < 2; ++row) {
     EXPECT_NE(section.figures[row].figure.svg.find(">b</text>"), std::string::npos);
     EXPECT_EQ(section.figures[row].figure.svg.find(">z</text>"), std::string::npos);
@@ -95,9 +97,11 @@ TEST_F(CaseFile, SaysWhatIsWrong) {
   EXPECT_NE(complaint(with("robot: [", "robots: [")).find("did you mean 'robot'?"),
             std::string::npos);
   EXPECT_NE(complaint(with("planner: first", "seed: 1")).find("case.yaml:8"), std::string::npos);
-  EXPECT_NE(
-      complaint(with("human: [rest_east, storage]", "human: [storage, storage, storage, storage]")),
-      "");  // four people
+  EXPECT_NE(complaint(with("[rest_east, storage]", "[storage, storage, storage, storage]"))
+                .find("4 starts of 'human', but the line has 1 to 3"),
+            std::string::npos);
+  EXPECT_NE(complaint(with("robot: [flange_rack, cage_bay_1], ", "")).find("0 starts of 'robot'"),
+            std::string::npos);
 }
 
 TEST_F(CaseFile, ReplaysRecordedDecisions) {

@@ -13,6 +13,8 @@ namespace {
 
 constexpr double kVisible = 0.05;  ///< per cent
 constexpr std::size_t kFewestForRadar = 3;
+constexpr double kWidth = 900.0;
+constexpr double kRadarHeight = 680.0;
 
 /// A quantity in which rows are compared: a column, or all of them together.
 struct Axis {
@@ -37,19 +39,23 @@ const char* short_name(Metric metric) {
   return "";
 }
 
+/// Short: a radar has little room for names. Of training only how soon it was good: how long it
+/// went on is what somebody asked for.
 std::vector<Axis> axes_of(const ExperimentResult& result) {
   std::vector<Axis> axes;
+  const Experiment& experiment = result.experiment;
   for (const ResultTable& table : result.tables) {
-    if (table.metric != Metric::kTraining) {
-      const bool orders = result.experiment.columns == Experiment::Columns::kOrders;
-      std::string name = short_name(table.metric);
-      axes.push_back({name + (orders ? ", other orders" : ", by crew"), &table, std::nullopt});
+    if (table.metric == Metric::kTraining) {
+      const auto column = std::find(table.columns.begin(), table.columns.end(), "minutes to 5 %");
+      axes.push_back(
+          {"time to 5 %", &table, static_cast<std::size_t>(column - table.columns.begin())});
       continue;
     }
-    for (std::size_t c = 0; c < table.columns.size(); ++c) {
-      if (table.columns[c] != "minutes" && table.columns[c] != "minutes to 5 %") continue;
-      axes.push_back({"training, " + table.columns[c], &table, c});
+    std::string name = short_name(table.metric);
+    if (experiment.columns == Experiment::Columns::kOrders) {
+      name += fmt::format(", {}–{}", experiment.orders.front(), experiment.orders.back());
     }
+    axes.push_back({std::move(name), &table, std::nullopt});
   }
   return axes;
 }
@@ -136,21 +142,25 @@ Figure improvement_figure(const Improvements& improvements, const RowStyles& boo
   for (const Improvements::Row& row : improvements.rows) names.push_back(row.name);
   const auto styles = experiments::styles_for(names, book);
   if (improvements.axes.size() >= kFewestForRadar) {
-    RadarChart chart{.frame = {.title = title, .width = 760.0, .height = 560.0},
-                     .axes = improvements.axes,
-                     .scale = {.title = "per cent better", .unit = " %"},
-                     .series = {},
-                     .base = 0.0,
-                     .base_name = improvements.base};
+    RadarChart chart;
+    chart.frame.title = title;
+    chart.frame.width = kWidth;
+    chart.frame.height = kRadarHeight;
+    chart.axes = improvements.axes;
+    chart.scale.title = "per cent better";
+    chart.base = 0.0;
+    chart.base_name = improvements.base;
     for (std::size_t r = 0; r < names.size(); ++r) {
       chart.series.push_back({names[r], styles[r], improvements.rows[r].percent});
     }
     figure.svg = radar_chart_svg(chart);
     return figure;
   }
-  BarChart chart{.frame = {.title = title, .width = 760.0},
-                 .categories = improvements.axes,
-                 .y = {.title = "per cent better", .unit = " %"}};
+  BarChart chart;
+  chart.frame.title = title;
+  chart.frame.width = kWidth;
+  chart.categories = improvements.axes;
+  chart.y.title = "per cent better";
   for (std::size_t r = 0; r < names.size(); ++r) {
     BarSeries series{.name = names[r], .style = styles[r]};
     for (const double value : improvements.rows[r].percent) series.bars.push_back({.value = value});

@@ -46,7 +46,7 @@ ReportTable table_of(const ResultTable& result) {
 
 ReportTable claims_of(const ExperimentResult& result) {
   ReportTable table{.caption =
-                        "Claims of the paper, judged by these runs: the difference of the "
+                        "Claims, judged by these runs: the difference of the "
                         "means over all columns with its 95 % interval (Welch)",
                     .header = {"claim", "difference", "95 %", "interval", "verdict"}};
   for (const JudgedClaim& judged : result.claims) {

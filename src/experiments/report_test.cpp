@@ -119,7 +119,7 @@ TEST(Improvements, AreOverTheBaseAndTheBetterWay) {
   const Improvements improvements = improvements_of({sample("B")});
   EXPECT_EQ(improvements.base, "B");
   // Successes do not differ, and bounds have no distance: they are no rows here.
-  EXPECT_EQ(improvements.axes, (std::vector<std::string>{"makespan, by crew"}));
+  EXPECT_EQ(improvements.axes, (std::vector<std::string>{"makespan"}));
   ASSERT_EQ(improvements.rows.size(), 1U);
   EXPECT_EQ(improvements.rows[0].name, "A<script>");
   const double a = (105.5 + 210.0) / 2 + 3.5;

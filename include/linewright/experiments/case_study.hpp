@@ -65,7 +65,7 @@ struct RouteShowcase {
 [[nodiscard]] LogDocument play_case(const CaseStudy& study, const CaseRow& row,
                                     const std::string& planner, const Scenario& scenario);
 
-/// The charts of all rows (`logs`, in the order of the rows), the snapshots of the first one, and a
+/// The charts of all rows (`logs`, in the order of the rows), the hall at the marks of the first, a
 /// table of its marks. A mark whose task was not chosen that often is left out of the charts and
 /// said to be missing in the table.
 [[nodiscard]] ReportSection section_of(const CaseStudy& study,
