@@ -21,7 +21,7 @@ nav ol{columns:2;column-gap:40px;padding-left:1.6em;max-width:110ch}
 table{border-collapse:collapse;font-size:14px;font-variant-numeric:tabular-nums}
 caption{text-align:left;font-weight:650;padding:4px 0 6px;font-size:15px}
 th,td{padding:4px 10px;text-align:left;vertical-align:top;border-bottom:1px solid var(--line)}
-.n td{text-align:right;white-space:nowrap}.n td,.n th{padding:3px 7px;font-size:13px}.n th[scope=col]{text-align:right;white-space:nowrap}
+.n td{text-align:right}.n td,.n th{padding:3px 7px;font-size:13px}.n th[scope=col]{text-align:right;white-space:nowrap}
 .n th[scope=col]:first-child{text-align:left}
 thead th{border-bottom:2px solid var(--line);color:var(--muted);font-weight:600}
 tbody th{font-weight:600;white-space:nowrap}
