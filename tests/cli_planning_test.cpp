@@ -3,10 +3,13 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstdio>
 #include <cstdlib>
+#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <sstream>
 
 #include "tests/cli_support.hpp"
 
@@ -199,6 +202,27 @@ TEST(Cli, ExplainsEachDecisionInTextAndLog) {
   std::filesystem::remove(log);
 }
 
+/// Every mean of the CSV stands, rounded, in the report's row of that name, in the same order.
+void expect_same_numbers(const std::string& csv, const std::string& html) {
+  std::istringstream lines(csv);
+  std::string line;
+  std::getline(lines, line);
+  std::string row;
+  std::size_t at = 0;
+  while (std::getline(lines, line)) {
+    std::vector<std::string> fields;
+    std::istringstream in(line);
+    for (std::string field; std::getline(in, field, ',');) fields.push_back(field);
+    if (fields[2] != row) at = html.find("<th scope=\"row\">" + fields[2] + "</th>");
+    row = fields[2];
+    ASSERT_NE(at, std::string::npos) << line;
+    char cell[32];
+    std::snprintf(cell, sizeof cell, "<td>%.1f", std::stod(fields[4]));
+    at = html.find("<td>", at + 1);
+    EXPECT_EQ(html.substr(at, std::strlen(cell)), cell) << line;
+  }
+}
+
 TEST(Cli, ReproducesAnExperimentAndGoesOnWithWhatIsThere) {
   const std::string folder = temporary("reproduce");
   std::filesystem::create_directory(folder);
@@ -207,20 +231,22 @@ TEST(Cli, ReproducesAnExperimentAndGoesOnWithWhatIsThere) {
   std::ofstream(folder + "/rules.yaml")
       << "title: Rules\nscenario: line.yaml\ncolumns: orders\norders: [1, 2]\n"
          "metrics: [makespan]\ntrials: 3\nrows:\n  - {row: lowest, planner: first}\n"
-         "  - {row: any, planner: random}\nclaims: [{says: a rule helps, lower: lowest, than: "
+         "  - {row: any, planner: random}\n  - {row: bound, bound: combined, trials: 2}\nclaims: "
+         "[{says: a rule helps, lower: lowest, than: "
          "any}]\n";
   const std::string command = "reproduce " + folder + "/rules.yaml --out " + folder + "/out";
   const Output first = linewright(command);
   ASSERT_EQ(first.code, 0) << first.err;
   EXPECT_NE(first.out.find("| **lowest** |"), std::string::npos) << first.out;
   const std::string csv = read_file(folder + "/out/tables/rules.csv");
-  EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 1 + 2 * 2);
+  EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 1 + 3 * 2);
+  expect_same_numbers(csv, read_file(folder + "/out/report.html"));
   // One cell is lost, the others are taken as they are.
   std::size_t cells = 0;
   for (const auto& entry : std::filesystem::directory_iterator(folder + "/out/results")) {
     if (cells++ == 0) std::filesystem::remove(entry.path());
   }
-  EXPECT_EQ(cells, 4U);
+  EXPECT_EQ(cells, 6U);
   EXPECT_EQ(linewright(command).out, first.out);
   EXPECT_EQ(read_file(folder + "/out/tables/rules.csv"), csv);
   std::filesystem::remove_all(folder);
@@ -238,7 +264,11 @@ TEST(Cli, ReproduceTrainsWhatIsMissingAndNothingTwice) {
                                           "run: {evaluate_every: 10, evaluation_trials: 1}\n";
   std::ofstream(folder + "/learned.yaml")
       << "title: Learned\nscenario: line.yaml\ncolumns: crews\norders: [2]\nmetrics: [makespan]\n"
-         "trials: 2\nseeds: [1, 2]\nrows: [{row: mini, algorithm: mini.yaml}]\n";
+         "trials: 2\nseeds: [1, 2]\nrows: [{row: mini, algorithm: mini.yaml}, {row: one copy, "
+         "algorithm: mini.yaml, set: [buffer.copies=1]}]\n";
+  std::ofstream(folder + "/records.yaml")
+      << "title: Records\nscenario: line.yaml\ncolumns: training\nseeds: [1, 2]\n"
+         "rows: [{row: mini, algorithm: mini.yaml}]\n";
   const std::string command = "reproduce " + folder + "/learned.yaml --out " + folder + "/out";
   const Output first = linewright(command);
   ASSERT_EQ(first.code, 0) << first.err;
@@ -246,6 +276,14 @@ TEST(Cli, ReproduceTrainsWhatIsMissingAndNothingTwice) {
   const auto written = std::filesystem::last_write_time(policy);
   EXPECT_EQ(linewright(command).out, first.out);
   EXPECT_EQ(std::filesystem::last_write_time(policy), written);
+  const std::string variant = folder + "/out/train/line/buffer.copies=1/mini-s1/options.yaml";
+  EXPECT_NE(read_file(variant).find("copies: 1\n"), std::string::npos);
+  const Output records =
+      linewright("reproduce " + folder + "/records.yaml --out " + folder + "/out");
+  ASSERT_EQ(records.code, 0) << records.err;
+  EXPECT_NE(records.out.find("| 20 |"), std::string::npos) << records.out;  // updates
+  EXPECT_EQ(std::filesystem::last_write_time(policy), written);
+  EXPECT_TRUE(std::filesystem::exists(folder + "/out/figures/records_training_return.svg"));
   std::filesystem::remove_all(folder);
 }
 

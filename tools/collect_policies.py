@@ -32,6 +32,21 @@ def runs_of(folder):
     return {name: sorted(found) for name, found in sorted(runs.items())}
 
 
+def thinned(source, target):
+    """Every fifth line and the last, and of the clock the seconds since the first line."""
+    header, *lines = source.read_text().splitlines()
+    columns = header.split(",")
+    clock = columns.index("wall_time_s")
+    start = float(lines[0].split(",")[clock])
+    kept = [line for i, line in enumerate(lines) if i % 5 == 0 or i == len(lines) - 1]
+    rows = []
+    for line in kept:
+        values = [f"{float(value):.7g}" for value in line.split(",")]
+        values[clock] = f"{float(line.split(',')[clock]) - start:.1f}"
+        rows.append(",".join(values))
+    target.write_text("\n".join([header, *rows]) + "\n")
+
+
 def collect(name, runs):
     seeds = POLICIES / "seeds" / name
     seeds.mkdir(parents=True, exist_ok=True)
@@ -41,6 +56,7 @@ def collect(name, runs):
         policy = run / "best.safetensors"
         shutil.copyfile(policy, seeds / f"{seed}.safetensors")
         shutil.copyfile(run / "evaluations.csv", POLICIES / "curves" / f"{name}-s{seed}.csv")
+        thinned(run / "progress.csv", POLICIES / "curves" / f"{name}-s{seed}.progress.csv")
         makespan = float(metadata(policy)["evaluation_makespan"])
         print(f"{name} seed {seed}: {makespan:.1f}")
         if best is None or makespan < best[0]:

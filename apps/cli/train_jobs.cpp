@@ -36,6 +36,7 @@ std::vector<std::string> words_of(const TrainJob& job) {
                                  job.scenario, "--seed", std::to_string(job.seed), "--out", job.out,
                                  // One core each; the result does not depend on it.
                                  "--set", "run.threads=1", "--quiet"};
+  for (const std::string& option : job.set) words.insert(words.end(), {"--set", option});
   if (fs::exists(job.folder() + "/checkpoint.bin")) words.emplace_back("--resume");
   return words;
 }

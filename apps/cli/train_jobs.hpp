@@ -13,7 +13,8 @@ struct TrainJob {
   std::string algorithm;  ///< a name of the folder algorithms/ or a file
   std::string scenario;   ///< file
   std::uint64_t seed = 1;
-  std::string out;  ///< the run's folder is OUT/ALGORITHM-sSEED
+  std::string out;               ///< the run's folder is OUT/ALGORITHM-sSEED
+  std::vector<std::string> set;  ///< options, as `train --set`
 
   [[nodiscard]] std::string name() const;  ///< of the algorithm, without folder and ending
   [[nodiscard]] std::string folder() const;

@@ -76,7 +76,8 @@ StepResult Environment::rewarded(Tick before, double progress_before) {
   failed_ = result.ended && !result.success;
   const Tick until = failed_ ? std::max(before, horizon() + paused_) : state_.now;
   double reward = -rewards_.eta1 * (until - before) +
-                  rewards_.eta3 * (simulator_.progress(state_) - progress_before);
+                  rewards_.eta3 * (simulator_.progress(state_) - progress_before) +
+                  rewards_.decision_bonus;
   if (result.ended) reward += result.success ? rewards_.eta2 : -rewards_.eta2;
   result.reward = static_cast<float>(reward);
   return result;

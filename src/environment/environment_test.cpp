@@ -41,6 +41,19 @@ TEST(Environment, PaysTimeProgressAndTheGoal) {
   EXPECT_NEAR(total, -0.01 * (environment.makespan() - first) + 2.0 + 5.0, 1e-5);
 }
 
+TEST(Environment, PaysForDecisionsWhereItIsAsked) {
+  const Simulator simulator = small_line();
+  const RunSetup setup = sample_setup(simulator.line(), {.workers = {1, 1}}, 1);
+  Environment plain(simulator, "sap", {});
+  Environment paying(simulator, "sap", {.decision_bonus = 0.1});
+  ASSERT_TRUE(plain.reset(setup, 1));
+  ASSERT_TRUE(paying.reset(setup, 1));
+  while (!plain.state().ended()) {
+    const std::size_t task = first_selectable(plain.state(), 2);
+    EXPECT_NEAR(double(paying.step(task).reward), double(plain.step(task).reward) + 0.1, 1e-6);
+  }
+}
+
 TEST(Environment, ChargesAFailureUpToTheHorizon) {
   const Simulator simulator = small_line();
   Environment environment(simulator, "sap", {.eta1 = 0.01, .eta2 = 5.0, .eta3 = 0.0});

@@ -23,6 +23,7 @@ constexpr double kAxisHeight = 48.0;
 constexpr double kHeadingHeight = 24.0;
 constexpr double kWorkerRow = 26.0;
 constexpr double kMachineRow = 21.0;
+constexpr double kMarkRow = 17.0;
 constexpr double kMilestoneRow = 24.0;
 constexpr double kFootHeight = 20.0;
 constexpr double kBusyColumn = 48.0;
@@ -80,6 +81,7 @@ class BodyPainter {
     y_ = kAxisHeight;
     for (const GanttSection& section : chart_.sections) paint_section(section);
     if (!chart_.milestones.empty()) paint_milestones();
+    if (!chart_.marks.empty()) paint_marks();
     const double bottom = y_;
     paint_axis(bottom);
     paint_decisions();
@@ -204,6 +206,29 @@ class BodyPainter {
     }
     marks_ += "</g>\n";
     y_ += kMilestoneRow;
+  }
+
+  /// The labels below one another where they are close, each with a line across the rows.
+  void paint_marks() {
+    text(names_, "small end muted", gutter_ - 10.0, y_ + kMarkRow - 4.0, "marks");
+    rule(y_ + 2.0);
+    std::vector<double> free_from;  // by line
+    for (const GanttMark& mark : chart_.marks) {
+      const double at = x(mark.tick);
+      const double half = markup::text_width(mark.label, kNameSize) / 2.0 + 2.0;
+      std::size_t line = 0;
+      while (line < free_from.size() && at - half < free_from[line]) ++line;
+      if (line == free_from.size()) free_from.push_back(0.0);
+      free_from[line] = at + half;
+      const double base = y_ + kMarkRow * static_cast<double>(line + 1);
+      marks_ += fmt::format(
+          "<g class=\"pointer\" data-b=\"{0}\" transform=\"translate({1} 0)\"><path "
+          "class=\"finish\" stroke-dasharray=\"2 3\" d=\"M0 {2}V{3}\"/><text class=\"mid ink "
+          "strong\" y=\"{4}\">{5}</text></g>\n",
+          mark.tick, coordinate(at), coordinate(kAxisHeight), coordinate(base - 14.0),
+          coordinate(base - 3.0), escaped(mark.label));
+    }
+    y_ += kMarkRow * static_cast<double>(free_from.size()) + 4.0;
   }
 
   void paint_axis(double bottom) {

@@ -36,8 +36,8 @@ class Bench {
   }
 
   TrialResult run(const RunOptions& crew, std::size_t trial) {
-    const RunSetup setup = sample_setup(simulator_.line(), crew,
-                                        RandomStream::derive(plan_.seed, "setup", trial).next());
+    const RunSetup setup =
+        sample_setup(simulator_.line(), crew, trial_setup_seed(plan_.seed, trial));
     const std::uint64_t seed = RandomStream::derive(plan_.seed, "run", trial).next();
     std::vector<std::int64_t> decision_ns;
     std::int64_t shield_ns = 0;
@@ -130,6 +130,10 @@ void average_shares(const std::vector<TrialResult>& trials, TrialSummary& summar
 }
 
 }  // namespace
+
+std::uint64_t trial_setup_seed(std::uint64_t plan_seed, std::size_t trial) {
+  return RandomStream::derive(plan_seed, "setup", trial).next();
+}
 
 TrialResult measure(const SimulationState& state, double progress) {
   TrialResult result;

@@ -12,17 +12,22 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr const char* kFormat = "linewright/cell/1";
+constexpr const char* kFormat = "linewright/cell/2";
 constexpr std::size_t kMostBytes = std::size_t{1} << 28U;
 
 Json to_json(const std::string& key, const ExperimentCell& cell, const CellResult& result) {
-  Json object{
-      {"format", kFormat},       {"key", key},
-      {"planner", cell.planner}, {"allocator", cell.allocator},
-      {"order", cell.order},     {"horizon", cell.horizon ? Json(*cell.horizon) : Json("scenario")},
-      {"trials", cell.trials},   {"seed", cell.seed},
-      {"shield", cell.shield},   {"wall_s", result.wall_s},
-      {"crews", Json::array()}};
+  Json object{{"format", kFormat},
+              {"key", key},
+              {"planner", cell.planner},
+              {"bound", cell.bound},
+              {"allocator", cell.allocator},
+              {"order", cell.order},
+              {"horizon", cell.horizon ? Json(*cell.horizon) : Json("scenario")},
+              {"trials", cell.trials},
+              {"seed", cell.seed},
+              {"shield", cell.shield},
+              {"wall_s", result.wall_s},
+              {"crews", Json::array()}};
   for (const CellResult::Crew& crew : result.crews) {
     object["crews"].push_back({{"crew", crew.name},
                                {"makespan", crew.makespan},
@@ -35,6 +40,7 @@ Json to_json(const std::string& key, const ExperimentCell& cell, const CellResul
 
 CellResult from_json(const Json& object) {
   CellResult result{.wall_s = object.at("wall_s").get<double>()};
+  const bool is_bound = !object.at("bound").get<std::string>().empty();
   for (const Json& entry : object.at("crews")) {
     CellResult::Crew crew{.name = entry.at("crew").get<std::string>()};
     entry.at("makespan").get_to(crew.makespan);
@@ -42,8 +48,9 @@ CellResult from_json(const Json& object) {
     entry.at("progress").get_to(crew.progress);
     entry.at("distance_m").get_to(crew.distance_m);
     const std::size_t runs = crew.makespan.size();
-    if (runs == 0 || crew.finished.size() != runs || crew.progress.size() != runs ||
-        crew.distance_m.size() != runs) {
+    const std::size_t others = is_bound ? 0 : runs;
+    if (runs == 0 || crew.finished.size() != others || crew.progress.size() != others ||
+        crew.distance_m.size() != others) {
       throw std::runtime_error("lists of different lengths");
     }
     result.crews.push_back(std::move(crew));

@@ -56,12 +56,42 @@ TEST(Cell, HasAKeyOfWhatMatters) {
   };
   EXPECT_EQ(changed([](auto&) {}), key);
   EXPECT_NE(changed([](auto& c) { c.planner = "first"; }), key);
-  EXPECT_NE(changed([](auto& c) { c.allocator = "random"; }), key);
+  EXPECT_NE(changed([](auto& c) { c.allocator = "no_spatial"; }), key);
   EXPECT_NE(changed([](auto& c) { c.order = 3; }), key);
   EXPECT_NE(changed([](auto& c) { c.horizon = 300; }), key);
   EXPECT_NE(changed([](auto& c) { c.trials = 5; }), key);
   EXPECT_NE(changed([](auto& c) { c.seed = 5; }), key);
   EXPECT_NE(changed([](auto& c) { c.shield = true; }), key);
+}
+
+TEST(Cell, HasTheBoundsOfTheSameStarts) {
+  const ExperimentCell cell{.bound = "combined", .order = 2, .trials = 3, .seed = 9};
+  const auto bounds = run_cell(cell, kitting(), no_time);
+  const auto played =
+      run_cell({.planner = "first", .order = 2, .trials = 3, .seed = 9}, kitting(), no_time);
+  ASSERT_TRUE(bounds && played);
+  ASSERT_EQ(bounds->crews.size(), played->crews.size());
+  for (std::size_t c = 0; c < bounds->crews.size(); ++c) {
+    EXPECT_EQ(bounds->crews[c].name, played->crews[c].name);
+    EXPECT_TRUE(bounds->crews[c].finished.empty());
+    for (std::size_t i = 0; i < 3; ++i) {
+      EXPECT_GT(bounds->crews[c].makespan[i], 0);
+      EXPECT_LE(bounds->crews[c].makespan[i], played->crews[c].makespan[i]);
+    }
+  }
+  EXPECT_NE(key_of(cell, kitting()),
+            key_of({.planner = "first", .order = 2, .trials = 3, .seed = 9}, kitting()));
+  CancelToken cancel;
+  cancel.request();
+  EXPECT_FALSE(run_cell(cell, kitting(), no_time, {}, &cancel));
+}
+
+TEST(Cell, HasOneKeyWithABudgetInTime) {
+  ExperimentCell cell = kCell;
+  cell.planner = "lookahead:1ms";
+  EXPECT_EQ(key_of(cell, kitting()), key_of(cell, kitting()));
+  cell.planner = "lookahaed:1ms";
+  EXPECT_THROW(static_cast<void>(key_of(cell, kitting())), ScenarioError);
 }
 
 /// A folder that goes away again.
@@ -87,13 +117,23 @@ TEST_F(Store, KeepsAResult) {
   }
 }
 
+TEST_F(Store, KeepsBounds) {
+  const ExperimentCell cell{.bound = "combined", .order = 1, .trials = 1};
+  const CellResult result = run_cell(cell, kitting(), no_time).value();
+  store_.keep("0123456789abcdef", cell, result);
+  const CellResult again = store_.find("0123456789abcdef").value();
+  EXPECT_EQ(again.crews.at(0).makespan, result.crews.at(0).makespan);
+  EXPECT_TRUE(again.crews.at(0).progress.empty());
+}
+
 TEST_F(Store, RefusesWhatIsNoResult) {
   const std::string file = folder_ + "/0123456789abcdef.json";
-  for (const char* text :
-       {"", "{}", "[1]", R"({"format":"linewright/cell/1","key":"x"})",
-        R"({"format":"linewright/cell/1","key":"0123456789abcdef","wall_s":1,"crews":[]})",
-        R"({"format":"linewright/cell/1","key":"0123456789abcdef","wall_s":1,"crews":[{"crew":"A",)"
-        R"("makespan":[1],"finished":[],"progress":[1],"distance_m":[1]}]})"}) {
+  for (
+      const char* text :
+      {"", "{}", "[1]", R"({"format":"linewright/cell/2","key":"x"})",
+       R"({"format":"linewright/cell/2","key":"0123456789abcdef","wall_s":1,"bound":"","crews":[]})",
+       R"({"format":"linewright/cell/2","key":"0123456789abcdef","wall_s":1,"bound":"","crews":[{"crew":"A",)"
+       R"("makespan":[1],"finished":[],"progress":[1],"distance_m":[1]}]})"}) {
     write_file(file, text);
     EXPECT_THROW(static_cast<void>(store_.find("0123456789abcdef")), ScenarioError) << text;
   }

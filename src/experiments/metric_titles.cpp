@@ -12,6 +12,24 @@ const char* title_of(Metric metric) {
       return "Mean progress (share of the order that is finished)";
     case Metric::kDistance:
       return "Distance, metres, all workers together";
+    case Metric::kTraining:
+      return "Training";
+  }
+  return "";
+}
+
+const char* short_title_of(Metric metric) {
+  switch (metric) {
+    case Metric::kMakespan:
+      return "Makespan, ticks";
+    case Metric::kSuccessRate:
+      return "Success rate";
+    case Metric::kProgress:
+      return "Mean progress";
+    case Metric::kDistance:
+      return "Distance, m";
+    case Metric::kTraining:
+      return "Training";
   }
   return "";
 }

@@ -4,20 +4,15 @@
 
 #include "linewright/experiments/render.hpp"
 #include "metric_titles.hpp"
+#include "number_text.hpp"
 
 namespace linewright {
 namespace {
 
+using experiments::number_text;
 using experiments::title_of;
+using experiments::value_text;
 using Json = nlohmann::ordered_json;
-
-bool is_share(Metric metric) {
-  return metric == Metric::kSuccessRate || metric == Metric::kProgress;
-}
-
-std::string number(double value, Metric metric) {
-  return fmt::format("{:.{}f}", value, is_share(metric) ? 3 : 1);
-}
 
 std::string csv_field(const std::string& text) {
   if (text.find_first_of(",\"\n") == std::string::npos) return text;
@@ -52,11 +47,9 @@ std::string markdown_rows(const TableRow& row, Metric metric) {
   std::vector<std::string> paper;
   std::vector<std::string> ratio;
   for (const TableValue& value : row.values) {
-    std::string text = number(value.mean, metric);
-    if (value.ci95) text += fmt::format(" ± {}", number(*value.ci95, metric));
-    ours.push_back(std::move(text));
-    paper.push_back(value.paper ? number(*value.paper, metric) : "");
-    ratio.push_back(value.ratio() ? fmt::format("{:.3f}", *value.ratio()) : "");
+    ours.push_back(value_text(value, metric));
+    paper.push_back(experiments::paper_text(value, metric));
+    ratio.push_back(experiments::ratio_text(value));
   }
   std::string text = line_of("**" + markdown_text(row.name) + "**", ours);
   if (row.has_paper()) text += line_of("paper", paper) + line_of("ratio", ratio);
@@ -69,15 +62,6 @@ std::string markdown_table(const ResultTable& table) {
   text += line_of("---", std::vector<std::string>(table.columns.size(), "---:"));
   for (const TableRow& row : table.rows) text += markdown_rows(row, table.metric);
   return text + "\n";
-}
-
-std::string what_was_run(const Experiment& experiment) {
-  return fmt::format(
-      "{} runs per crew and order, starts from seed {}, {} shield, training seeds {}. Intervals: "
-      "95 "
-      "%, over the training seeds of an algorithm, else over the starts.",
-      experiment.trials, experiment.starts_seed, experiment.shield ? "with" : "without",
-      fmt::join(experiment.seeds, ", "));
 }
 
 std::string latex_text(const std::string& text) {
@@ -103,10 +87,8 @@ std::string latex_table(const ResultTable& table) {
     std::vector<std::string> ours;
     std::vector<std::string> paper;
     for (const TableValue& value : row.values) {
-      ours.push_back(number(value.mean, table.metric));
-      if (value.ci95)
-        ours.back() += fmt::format("\\,$\\pm$\\,{}", number(*value.ci95, table.metric));
-      paper.push_back(value.paper ? number(*value.paper, table.metric) : "");
+      ours.push_back(value_text(value, table.metric, "\\,$\\pm$\\,"));
+      paper.push_back(experiments::paper_text(value, table.metric));
     }
     text += latex_row(latex_text(row.name), ours);
     if (row.has_paper()) text += latex_row("\\quad paper", paper);
@@ -115,8 +97,11 @@ std::string latex_table(const ResultTable& table) {
 }
 
 Json value_json(const TableValue& value, const std::string& column) {
-  Json entry{{"column", column}, {"mean", value.mean}};
+  Json entry{{"column", column}};
+  if (value.mean) entry["mean"] = *value.mean;
   if (value.ci95) entry["ci95"] = *value.ci95;
+  if (value.low) entry["low"] = *value.low;
+  if (value.high) entry["high"] = *value.high;
   if (value.paper) entry["paper"] = *value.paper;
   if (value.ratio()) entry["ratio"] = *value.ratio();
   return entry;
@@ -125,15 +110,18 @@ Json value_json(const TableValue& value, const std::string& column) {
 }  // namespace
 
 std::string result_csv(const ExperimentResult& result) {
-  std::string text = "experiment,metric,row,column,mean,ci95,seeds,paper,ratio\n";
+  std::string text =
+      "experiment,metric,row,column,mean,ci95,low,high,over,samples,seeds,paper,ratio\n";
   for (const ResultTable& table : result.tables) {
     for (const TableRow& row : table.rows) {
       for (std::size_t c = 0; c < row.values.size(); ++c) {
         const TableValue& value = row.values[c];
-        text += fmt::format("{},{},{},{},{:.6g},{},{},{},{}\n", csv_field(result.experiment.name),
-                            name_of(table.metric), csv_field(row.name), csv_field(table.columns[c]),
-                            value.mean, optional_csv(value.ci95), row.seeds,
-                            optional_csv(value.paper), optional_csv(value.ratio()));
+        text += fmt::format(
+            "{},{},{},{},{},{},{},{},{},{},{},{},{}\n", csv_field(result.experiment.name),
+            name_of(table.metric), csv_field(row.name), csv_field(table.columns[c]),
+            optional_csv(value.mean), optional_csv(value.ci95), optional_csv(value.low),
+            optional_csv(value.high), name_of(row.over), row.samples, row.seeds,
+            optional_csv(value.paper), optional_csv(value.ratio()));
       }
     }
   }
@@ -144,15 +132,16 @@ std::string result_markdown(const ExperimentResult& result) {
   const Experiment& experiment = result.experiment;
   std::string text = fmt::format("## {}\n\n", experiment.title);
   if (!experiment.about.empty()) text += experiment.about + "\n\n";
-  text += what_was_run(experiment) + "\n\n";
+  text += experiments::what_was_run(experiment) + "\n\n";
   for (const ResultTable& table : result.tables) text += markdown_table(table);
   if (result.claims.empty()) return text;
   text +=
-      "### Claims\n\n| claim | difference | 95 % | on a correct implementation |\n| --- | ---: | "
-      "---: | --- |\n";
+      "### Claims\n\n| claim | difference | 95 % | interval | on a correct implementation |\n| --- "
+      "| ---: | ---: | --- | --- |\n";
   for (const JudgedClaim& claim : result.claims) {
-    text += fmt::format("| {} | {:+.2f} | ± {:.2f} | {} |\n", markdown_text(claim.claim.says),
-                        claim.difference.mean, claim.difference.ci95, name_of(claim.verdict));
+    text += fmt::format("| {} | {:+.2f} | ± {:.2f} | {} | {} |\n", markdown_text(claim.claim.says),
+                        claim.difference.mean, claim.difference.ci95, experiments::over_text(claim),
+                        name_of(claim.verdict));
   }
   return text + "\n";
 }
@@ -178,8 +167,11 @@ std::string result_json(const ExperimentResult& result) {
     Json& entry = object["tables"].emplace_back(
         Json{{"metric", name_of(table.metric)}, {"rows", Json::array()}});
     for (const TableRow& row : table.rows) {
-      Json& out = entry["rows"].emplace_back(
-          Json{{"row", row.name}, {"seeds", row.seeds}, {"values", Json::array()}});
+      Json& out = entry["rows"].emplace_back(Json{{"row", row.name},
+                                                  {"seeds", row.seeds},
+                                                  {"over", name_of(row.over)},
+                                                  {"samples", row.samples},
+                                                  {"values", Json::array()}});
       for (std::size_t c = 0; c < row.values.size(); ++c) {
         out["values"].push_back(value_json(row.values[c], table.columns[c]));
       }
@@ -192,6 +184,7 @@ std::string result_json(const ExperimentResult& result) {
                                 {"than", claim.claim.than},
                                 {"difference", claim.difference.mean},
                                 {"ci95", claim.difference.ci95},
+                                {"over", experiments::over_text(claim)},
                                 {"verdict", name_of(claim.verdict)}});
   }
   return object.dump(2) + "\n";

@@ -1,9 +1,11 @@
 #include "linewright/experiments/table.hpp"
 
-#include <algorithm>
+#include "judge.hpp"
 
 namespace linewright {
 namespace {
+
+using experiments::Sample;
 
 double value_of(const CellResult::Crew& crew, std::size_t trial, Metric metric) {
   switch (metric) {
@@ -15,13 +17,16 @@ double value_of(const CellResult::Crew& crew, std::size_t trial, Metric metric) 
       return crew.progress[trial];
     case Metric::kDistance:
       return crew.distance_m[trial];
+    case Metric::kTraining:
+      break;
   }
   return 0.0;
 }
 
-/// By trial: of one crew, or the mean of several.
+/// By trial: of one crew, or the mean of several; nothing where bounds have no such metric.
 std::vector<double> by_trial(const CellResult& cell, std::size_t first_crew, std::size_t crews,
                              Metric metric) {
+  if (metric != Metric::kMakespan && cell.crews.at(first_crew).finished.empty()) return {};
   std::vector<double> values(cell.crews.at(first_crew).makespan.size(), 0.0);
   for (std::size_t c = first_crew; c < first_crew + crews; ++c) {
     for (std::size_t i = 0; i < values.size(); ++i) {
@@ -58,23 +63,17 @@ std::vector<Column> columns_of(const Experiment& experiment, const CellResult& s
 std::vector<double> seed_means(const RowResults& row, const Column& column, Metric metric) {
   std::vector<double> means;
   for (const std::vector<CellResult>& seed : row) {
-    means.push_back(
-        spread_of(by_trial(seed.at(column.order), column.first_crew, column.crews, metric)).mean);
+    const auto trials = by_trial(seed.at(column.order), column.first_crew, column.crews, metric);
+    if (!trials.empty()) means.push_back(spread_of(trials).mean);
   }
   return means;
 }
 
-TableValue value_of(const RowResults& row, const Column& column, Metric metric) {
-  const Spread seeds = spread_of(seed_means(row, column, metric));
-  TableValue value{.mean = seeds.mean, .ci95 = {}, .paper = {}};
-  if (seeds.count > 1) {
-    value.ci95 = seeds.ci95;
-    return value;
-  }
-  const Spread starts =
-      spread_of(by_trial(row.at(0).at(column.order), column.first_crew, column.crews, metric));
-  if (starts.count > 1) value.ci95 = starts.ci95;
-  return value;
+/// One number per training seed where there are several, else one per start.
+Sample sample_of(const RowResults& row, const Column& column, Metric metric) {
+  if (row.size() > 1) return {spread_of(seed_means(row, column, metric)), Sampled::kSeeds};
+  return {spread_of(by_trial(row.at(0).at(column.order), column.first_crew, column.crews, metric)),
+          Sampled::kStarts};
 }
 
 /// The paper prints no mean over the crews: it is that of its columns.
@@ -93,64 +92,24 @@ std::optional<double> paper_value(const PaperTables& paper, const Experiment& ex
 }
 
 /// Over all columns: one number per seed, or per start of a planner that is not trained.
-Spread overall(const RowResults& row, const std::vector<Column>& columns, Metric metric) {
-  std::vector<double> seeds(row.size(), 0.0);
-  std::vector<double> starts;
+Sample overall(const RowResults& row, const std::vector<Column>& columns, Metric metric) {
+  std::vector<double> sum;
   std::size_t counted = 0;
   for (const Column& column : columns) {
     if (column.is_mean) continue;
     ++counted;
-    const std::vector<double> means = seed_means(row, column, metric);
-    for (std::size_t s = 0; s < means.size(); ++s) seeds[s] += means[s];
-    const auto trials =
-        by_trial(row.at(0).at(column.order), column.first_crew, column.crews, metric);
-    starts.resize(trials.size(), 0.0);
-    for (std::size_t i = 0; i < trials.size(); ++i) starts[i] += trials[i];
+    const std::vector<double> values =
+        row.size() > 1
+            ? seed_means(row, column, metric)
+            : by_trial(row.at(0).at(column.order), column.first_crew, column.crews, metric);
+    sum.resize(values.size(), 0.0);
+    for (std::size_t i = 0; i < values.size(); ++i) sum[i] += values[i];
   }
-  std::vector<double>& values = row.size() > 1 ? seeds : starts;
-  for (double& value : values) value /= static_cast<double>(counted);
-  return spread_of(values);
-}
-
-JudgedClaim judge(const Claim& claim, const Experiment& experiment,
-                  const std::vector<RowResults>& results, const std::vector<Column>& columns) {
-  const auto row = [&](const std::string& name) -> const RowResults& {
-    std::size_t at = 0;
-    while (experiment.rows.at(at).name != name) ++at;
-    return results.at(at);
-  };
-  JudgedClaim judged{.claim = claim, .difference = {}};
-  judged.difference = welch_difference(overall(row(claim.than), columns, claim.metric),
-                                       overall(row(claim.lower), columns, claim.metric));
-  const auto [mean, ci95] = judged.difference;
-  if (ci95 > 0.0 && mean + ci95 < 0.0) judged.verdict = JudgedClaim::Verdict::kHolds;
-  if (ci95 > 0.0 && mean - ci95 > 0.0) judged.verdict = JudgedClaim::Verdict::kContrary;
-  return judged;
+  for (double& value : sum) value /= static_cast<double>(counted);
+  return {spread_of(sum), row.size() > 1 ? Sampled::kSeeds : Sampled::kStarts};
 }
 
 }  // namespace
-
-std::optional<double> TableValue::ratio() const {
-  if (!paper || *paper == 0.0) return std::nullopt;
-  return mean / *paper;
-}
-
-bool TableRow::has_paper() const {
-  return std::any_of(values.begin(), values.end(),
-                     [](const TableValue& value) { return value.paper.has_value(); });
-}
-
-const char* name_of(JudgedClaim::Verdict verdict) {
-  switch (verdict) {
-    case JudgedClaim::Verdict::kHolds:
-      return "holds";
-    case JudgedClaim::Verdict::kContrary:
-      return "contrary";
-    case JudgedClaim::Verdict::kOpen:
-      return "open";
-  }
-  return "open";
-}
 
 ExperimentResult make_tables(const Experiment& experiment, const std::vector<RowResults>& results,
                              const PaperTables* paper) {
@@ -162,7 +121,10 @@ ExperimentResult make_tables(const Experiment& experiment, const std::vector<Row
     for (std::size_t r = 0; r < experiment.rows.size(); ++r) {
       TableRow row{.name = experiment.rows[r].name, .seeds = results.at(r).size()};
       for (const Column& column : columns) {
-        row.values.push_back(value_of(results[r], column, metric));
+        const Sample sample = sample_of(results[r], column, metric);
+        row.over = sample.over;
+        row.samples = sample.spread.count;
+        row.values.push_back(experiments::value_of(sample, metric));
         const std::string& theirs = experiment.rows[r].paper;
         if (paper == nullptr || experiment.paper.empty() || theirs.empty()) continue;
         row.values.back().paper = paper_value(*paper, experiment, metric, theirs, column, columns);
@@ -171,7 +133,10 @@ ExperimentResult make_tables(const Experiment& experiment, const std::vector<Row
     }
   }
   for (const Claim& claim : experiment.claims) {
-    result.claims.push_back(judge(claim, experiment, results, columns));
+    const auto sample = [&](const std::string& row) {
+      return overall(results.at(experiments::row_named(experiment, row)), columns, claim.metric);
+    };
+    result.claims.push_back(experiments::judged(claim, sample(claim.lower), sample(claim.than)));
   }
   return result;
 }

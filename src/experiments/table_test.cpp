@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "linewright/experiments/figures.hpp"
 #include "linewright/experiments/render.hpp"
 
 namespace linewright {
@@ -39,15 +40,15 @@ TEST(ResultTable, HasMeansAndIntervalsOverSeedsOrStarts) {
   EXPECT_EQ(makespan.columns, (std::vector<std::string>{"H1R1", "H1R2", "mean"}));
   const TableRow& a = makespan.rows[0];
   EXPECT_EQ(a.seeds, 2U);
-  EXPECT_DOUBLE_EQ(a.values[0].mean, 107.0);
+  EXPECT_DOUBLE_EQ(*a.values[0].mean, 107.0);
   // Seeds 105 and 109: sd 2.828, t of one degree 12.706.
   EXPECT_NEAR(*a.values[0].ci95, 12.706 * 2.8284271 / 1.4142136, 1e-2);
-  EXPECT_DOUBLE_EQ(a.values[2].mean, (107.0 + 210.0) / 2);
+  EXPECT_DOUBLE_EQ(*a.values[2].mean, (107.0 + 210.0) / 2);
   const TableRow& b = makespan.rows[1];
-  EXPECT_DOUBLE_EQ(b.values[2].mean, (305.0 + 410.0) / 2);
+  EXPECT_DOUBLE_EQ(*b.values[2].mean, (305.0 + 410.0) / 2);
   // Starts: (300 + 400) / 2 and (310 + 420) / 2.
   EXPECT_NEAR(*b.values[2].ci95, 12.706 * 10.6066 / 1.4142136, 1e-1);
-  EXPECT_DOUBLE_EQ(result.tables[1].rows[0].values[1].mean, 0.5);
+  EXPECT_DOUBLE_EQ(*result.tables[1].rows[0].values[1].mean, 0.5);
 }
 
 TEST(ResultTable, PutsThePaperBeside) {
@@ -73,7 +74,41 @@ TEST(ResultTable, HasAColumnPerOrder) {
   }
   const ExperimentResult result = make_tables(experiment, rows);
   EXPECT_EQ(result.tables[0].columns, (std::vector<std::string>{"1", "2"}));
-  EXPECT_DOUBLE_EQ(result.tables[0].rows[1].values[1].mean, 2.0);
+  EXPECT_DOUBLE_EQ(*result.tables[0].rows[1].values[1].mean, 2.0);
+}
+
+/// Of a bound there are makespans only.
+CellResult bound_cell() {
+  CellResult result;
+  result.crews = {{.name = "H1R1", .makespan = {90}}, {.name = "H1R2", .makespan = {180}}};
+  return result;
+}
+
+TEST(ResultTable, HasOnlyMakespansOfABound) {
+  Experiment experiment = two_rows();
+  experiment.rows[1] = {.name = "bound", .bound = "combined"};
+  experiment.claims.clear();
+  const ExperimentResult result = make_tables(experiment, {results()[0], {{bound_cell()}}});
+  const TableRow& bound = result.tables[0].rows[1];
+  EXPECT_DOUBLE_EQ(*bound.values[2].mean, 135.0);
+  EXPECT_FALSE(bound.values[2].ci95);  // one start
+  for (const TableValue& value : result.tables[1].rows[1].values) EXPECT_FALSE(value.mean);
+  EXPECT_NE(result_csv(result).find("test,success_rate,bound,mean,,,,,starts,0,1,,\n"),
+            std::string::npos)
+      << result_csv(result);
+}
+
+TEST(ResultTable, KeepsIntervalsOfSharesWithinZeroAndOne) {
+  std::vector<RowResults> rows = results();
+  for (CellResult::Crew& crew : rows[0][1][0].crews) crew.finished = {1, 1};
+  const TableValue value = make_tables(two_rows(), rows).tables[1].rows[0].values[1];
+  EXPECT_DOUBLE_EQ(*value.mean, 0.75);  // of 0.5 and 1
+  EXPECT_DOUBLE_EQ(*value.high, 1.0);
+  EXPECT_DOUBLE_EQ(*value.low, 0.0);
+  EXPECT_GT(*value.ci95, 1.0);
+  const std::string markdown = result_markdown(make_tables(two_rows(), rows));
+  EXPECT_NE(markdown.find("0.750 (0.000 to 1.000)"), std::string::npos) << markdown;
+  EXPECT_EQ(markdown.find("± 0.000"), std::string::npos) << markdown;
 }
 
 TEST(Claim, IsJudgedByTheIntervalOfTheDifference) {
@@ -106,16 +141,22 @@ TEST(Render, WritesTheSameNumbersEverywhere) {
   const ExperimentResult result = make_tables(experiment, results(), &paper);
   const std::string csv = result_csv(result);
   EXPECT_EQ(csv.substr(0, csv.find('\n')),
-            "experiment,metric,row,column,mean,ci95,seeds,paper,ratio");
-  EXPECT_NE(csv.find("test,makespan,A,H1R1,107,25.4124,2,214,0.5\n"), std::string::npos) << csv;
+            "experiment,metric,row,column,mean,ci95,low,high,over,samples,seeds,paper,ratio");
+  EXPECT_NE(csv.find("test,makespan,A,H1R1,107,25.4124,81.5876,132.412,seeds,2,2,214,0.5\n"),
+            std::string::npos)
+      << csv;
   EXPECT_NE(csv.find("\"B, \"\"the | other\"\"\",mean,357.5"), std::string::npos) << csv;
   const std::string markdown = result_markdown(result);
   EXPECT_NE(markdown.find("| **A** | 107.0 ± 25.4 |"), std::string::npos) << markdown;
+  EXPECT_NE(markdown.find("| ratio | 0.500 | 2.100 | 1.010 |"), std::string::npos) << markdown;
   EXPECT_NE(markdown.find("| paper | 214.0 | 100.0 | 157.0 |"), std::string::npos) << markdown;
   EXPECT_NE(markdown.find("the \\| other"), std::string::npos);
   EXPECT_NE(markdown.find("| A is faster | -199.00 |"), std::string::npos) << markdown;
+  EXPECT_NE(markdown.find("| over seeds and starts | holds |"), std::string::npos) << markdown;
   EXPECT_NE(result_latex(result).find("107.0\\,$\\pm$\\,25.4"), std::string::npos);
-  EXPECT_NE(result_figure(result, 0).find("H1R2"), std::string::npos);
+  const std::vector<Figure> figures = table_figures(result, styles_of({experiment}));
+  ASSERT_EQ(figures.size(), 2U);
+  EXPECT_NE(figures[0].svg.find("H1R2"), std::string::npos);
   EXPECT_NE(result_json(result).find("\"verdict\": "), std::string::npos);
 }
 

@@ -33,6 +33,7 @@ void visit_options(Options& o, Visitor& visitor) {
   visitor.real("eta1", o.reward.eta1, 0.0, 10.0);
   visitor.real("eta2", o.reward.eta2, 0.0, 1000.0);
   visitor.real("eta3", o.reward.eta3, 0.0, 1000.0);
+  visitor.real("decision_bonus", o.reward.decision_bonus, 0.0, 10.0);
 
   visitor.group("buffer");
   visitor.flag("modify_reward", o.buffer.modify_reward);

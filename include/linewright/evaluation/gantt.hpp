@@ -63,6 +63,12 @@ struct GanttMilestone {
   std::string name;
 };
 
+/// A moment that somebody points out, such as (a) in a text about the run.
+struct GanttMark {
+  Tick tick = 0;
+  std::string label;
+};
+
 /// Who did what, when, ready to be drawn. All text is as in the log, not yet escaped for any
 /// format.
 struct GanttChart {
@@ -76,6 +82,7 @@ struct GanttChart {
   std::vector<GanttSection> sections;  ///< people, robots and others by kind, then machines
   std::vector<GanttDecision> decisions;
   std::vector<GanttMilestone> milestones;
+  std::vector<GanttMark> marks;  ///< none: no row for them
 };
 
 /// Most intervals a chart may have; more cannot be looked at.

@@ -72,6 +72,9 @@ struct TrialSummary {
   std::vector<double> machines;
 };
 
+/// The seed of sample_setup() for one trial of a plan with this seed.
+[[nodiscard]] std::uint64_t trial_setup_seed(std::uint64_t plan_seed, std::size_t trial);
+
 /// Called now and then, from one thread at a time, with the number of finished runs.
 using TrialProgress = std::function<void(std::size_t done, std::size_t total)>;
 

@@ -15,9 +15,10 @@
 namespace linewright {
 
 /// One evaluation of an experiment: a planner and an allocator with one order, every crew of the
-/// scenario.
+/// scenario; or the lower bound of the makespan of each run, whoever plans.
 struct ExperimentCell {
-  std::string planner;  ///< PlannerRegistry; of a trained algorithm `policy:FILE`
+  std::string planner;  ///< PlannerRegistry; of a trained algorithm `policy:FILE`; or empty and
+  std::string bound;    ///< ... the name of a bound: "combined"
   std::string allocator = "sap";
   std::int32_t order = 1;
   std::optional<Tick> horizon;  ///< none: the scenario's
@@ -27,7 +28,7 @@ struct ExperimentCell {
 };
 
 /// What came out, run by run: trial i of every cell with the same order and seed has the same
-/// start.
+/// start. Of a bound there are makespans only; the other lists are empty.
 struct CellResult {
   struct Crew {
     std::string name;                    ///< "H2R1"
@@ -41,11 +42,14 @@ struct CellResult {
 };
 
 /// What the results of a cell depend on, hashed: 16 hex digits. The contents of the scenario and of
-/// the policy or the tuned priority list count, not the names of their files.
+/// the policy or the tuned priority list count, not the names of their files. So does what the
+/// program does: the event log of the largest crew's first run (for planners with a budget in time:
+/// with the planner `first`), or its bound, so that a program that behaves otherwise finds no
+/// results of another one. Throws ScenarioError as run_cell() does.
 [[nodiscard]] std::string key_of(const ExperimentCell& cell, const Scenario& scenario);
 
-/// Plays the cell. None when cancelled. Throws ScenarioError for planners and allocators that do
-/// not exist or do not fit the scenario. `now_ns`: a clock.
+/// Plays the cell, or computes its bounds. None when cancelled. Throws ScenarioError for planners
+/// and allocators that do not exist or do not fit the scenario. `now_ns`: a clock.
 [[nodiscard]] std::optional<CellResult> run_cell(const ExperimentCell& cell,
                                                  const Scenario& scenario,
                                                  const std::function<std::int64_t()>& now_ns,
