@@ -47,7 +47,14 @@ export class Goods {
       const gantry = this.layout.machines.find((machine) => machine.overhead && machine.name === spot.atMachine);
       const [x, y] = gantry ? this.heads.at(gantry, time) : spot.centre;
       const at = { x: x + before * ITEM_M, y, yaw: 0 };
-      piles.push({ at, ground: gantry ? GRIPPER_M - 0.2 : spot.ground, columns: spot.columns, of: place.of, count, scale: 1 });
+      piles.push({
+        at,
+        ground: gantry ? GRIPPER_M - 0.2 : spot.ground,
+        columns: spot.columns,
+        of: place.of,
+        count,
+        scale: 1,
+      });
     }
     for (const { id } of header.carriers) {
       const count = material.count(id, time);

@@ -95,7 +95,8 @@ function placeAtMachines(task: MaterialTask, places: string[], spots: Map<string
   const settled = settle(task.header, anchors);
   const fixed = task.machines.filter((machine) => !machine.overhead);
   for (const place of places) {
-    const machine = gantryOf(task, place) ?? machineOf(task, fixed, place) ?? nearest(fixed, settledPlace(settled, place));
+    const machine =
+      gantryOf(task, place) ?? machineOf(task, fixed, place) ?? nearest(fixed, settledPlace(settled, place));
     if (!machine) continue;
     spots.set(place, {
       place,

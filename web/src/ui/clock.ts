@@ -49,7 +49,8 @@ export class Clock {
 
   /** The next (+1) or previous (-1) of ascending ticks, seen from now; none: now. */
   neighbour(ticks: readonly Tick[], direction: 1 | -1): Tick {
-    const index = direction > 0 ? firstAfter(ticks, this.time) : firstWhere(ticks.length, (i) => ticks[i]! >= this.time) - 1;
+    const index =
+      direction > 0 ? firstAfter(ticks, this.time) : firstWhere(ticks.length, (i) => ticks[i]! >= this.time) - 1;
     return ticks[index] ?? this.time;
   }
 }
