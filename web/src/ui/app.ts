@@ -139,9 +139,8 @@ export class App {
   }
 
   followEnd(): void {
-    const live = this.shownRuns.runs.some((run) => this.shelf.isLive(run));
     this.seek(this.clock.last);
-    this.clock.following = live;
+    if (this.live) this.clock.follow();
     this.redraw();
   }
 
@@ -230,6 +229,11 @@ export class App {
     requestAnimationFrame((now) => this.frame(now));
   }
 
+  /** A run that is shown still goes on. */
+  private get live(): boolean {
+    return this.shownRuns.runs.some((run) => this.shelf.isLive(run));
+  }
+
   /** A worker in the hall: the task it has now, else the worker itself. */
   private selectWorker(pane: Pane, side: number, worker: string): void {
     const { time } = this.clock;
@@ -269,7 +273,7 @@ export class App {
     this.shownRuns.mount();
     this.clock.tickSeconds = Math.max(0.001, runs[0]?.header.tickSeconds ?? 1);
     this.clock.grow(Math.max(0, ...runs.map((run) => run.last)));
-    if (this.shownRuns.runs.some((run) => this.shelf.isLive(run))) this.clock.following = true;
+    if (this.live) this.clock.follow();
     this.clock.time = Math.min(this.clock.time, this.clock.last);
   }
 
@@ -288,17 +292,19 @@ export class App {
     this.wished = false;
     const { clock } = this;
     const passed = this.lastFrame > 0 ? now - this.lastFrame : 0;
-    if (clock.playing && passed > 0) {
+    if (clock.moving && passed > 0) {
       clock.advance(Math.min(250, passed));
       this.fineness.took(passed);
     }
-    const scale = clock.playing ? this.fineness.scale : 1;
-    this.lastFrame = clock.playing ? now : 0;
+    const { moving } = clock;
+    this.lastFrame = moving ? now : 0;
+    const scale = moving ? this.fineness.scale : 1;
     this.shownRuns.draw(clock.time, scale);
-    this.transport.draw(this.shownRuns.runs.some((run) => this.shelf.isLive(run)));
+    if (!moving && !this.live) clock.following = false; // the run has ended, and all of it was shown
+    this.transport.draw(this.live);
     this.panel.draw(this.shownRuns.runs, this.selection, clock.time, this.theme);
     if (this.panes.length > 0 && Number.isNaN(this.shownAfterMs)) this.shownAfterMs = performance.now();
-    this.meter.count(now, clock.playing);
-    if (clock.playing) this.redraw();
+    this.meter.count(now, moving);
+    if (moving) this.redraw();
   }
 }

@@ -25,10 +25,12 @@ export function runFacts(run: Run): HTMLElement {
 
 /** What everybody is doing at a time. */
 export function agentsNow(run: Run, time: number, theme: Theme, pick: (worker: string) => void): HTMLElement {
+  // Of a run that goes on, what happens at its last tick is not known yet.
+  const at = run.end ? time : Math.min(time, run.last - 0.001);
   const rows = run.header.workers.slice(0, MOST_AGENTS).map(({ id }) => {
     const all = run.activities(id);
-    const now = all[firstWhere(all.length, (i) => all[i]!.end > time)];
-    const active = now && now.begin <= time ? now : undefined;
+    const now = all[firstWhere(all.length, (i) => all[i]!.end > at)];
+    const active = now && now.begin <= at ? now : undefined;
     const task = active && active.n > 0 ? run.tasks.get(active.n)?.decision.task : undefined;
     const text = active ? stepText(run, id, active) : 'is free';
     return el(
