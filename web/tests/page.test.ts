@@ -95,6 +95,21 @@ describe('one run', () => {
     expect(time).toBeLessThan(500);
   });
 
+  it('zooms the chart, and turns its page when time leaves it', async () => {
+    await seek(page, 0);
+    for (let i = 0; i < 6; ++i) await page.keyboard.press('+');
+    const at = (t: number): Promise<number> =>
+      page.evaluate((tick) => window.linewright.pointOf(0, 'human.0', tick)!.x, t);
+    expect((await at(10)) - (await at(0))).toBeGreaterThan(50);
+    await seek(page, 700);
+    const chart = (await page.locator('.gantt canvas').boundingBox())!;
+    expect(await at(700)).toBeGreaterThan(chart.x);
+    expect(await at(700)).toBeLessThan(chart.x + chart.width);
+    expect(await page.locator('.playhead').isVisible()).toBe(true);
+    for (let i = 0; i < 6; ++i) await page.keyboard.press('-');
+    await settled(page);
+  });
+
   it('says of a bar who did what, with whom, from where and how far', async () => {
     await clickChart(page, 0, 'human.0', 60);
     const { selection, time } = await settled(page);

@@ -15,6 +15,7 @@ export class Panes {
   labels: LabelDetail = 'all';
   routes = false;
   private length = 0; // ticks of the longest run
+  private drawnAt = 0;
 
   constructor(
     private theme: Theme,
@@ -105,7 +106,20 @@ export class Panes {
   }
 
   draw(time: number, scale: number): void {
+    if (time !== this.drawnAt) this.keepInView(time);
+    this.drawnAt = time;
     for (const pane of this.all) pane.draw(time, scale);
+  }
+
+  /** A chart that is zoomed in turns the page when time leaves it. */
+  private keepInView(time: number): void {
+    const gantt = this.all[0]?.gantt;
+    if (!gantt) return;
+    const [from, to] = gantt.shown;
+    if (time >= from && time <= to) return;
+    const start = Math.max(0, Math.min(this.length - (to - from), time - (to - from) * 0.1));
+    gantt.show([start, start + to - from]);
+    this.alignTo(this.all[0]!);
   }
 
   private look(pane: Pane): void {
