@@ -2,6 +2,9 @@ import { describe, expect, it } from 'vitest';
 import { loadRun, logText, LOGS, runOf, type LogName } from '../../tests/support';
 import { boxOf, contains, distance, nearestOnEdge } from './geometry';
 import { layOut, type Layout } from './layout';
+import { arrange } from './crowd';
+import { Heads } from './heads';
+import { Piles, type Pile } from './piles';
 import { spread } from './spread';
 
 function layoutOf(name: LogName): Layout {
@@ -142,6 +145,39 @@ describe('the layout', () => {
     const layout = layOut(run.header);
     expect(layout.bounds.x1).toBeGreaterThan(layout.bounds.x0);
     expect(layout.machines).toHaveLength(2);
+  });
+});
+
+describe('the items that are drawn', () => {
+  const run = loadRun('routed');
+  const layout = layOut(run.header, run.seenAt);
+  const piles = new Piles(run, layout, new Heads(run, layout));
+  const at = (time: number): Pile[] => piles.at(time, arrange(run, time, layout.agentScale));
+
+  it('are all that the log counts, and those that operations have taken', () => {
+    for (const time of [0, 30.5, 200, 433, 772]) {
+      const drawn = at(time).reduce((sum, pile) => sum + pile.count, 0);
+      const of = new Map(run.header.places.map((place) => [place.name, place.of]));
+      let expected = 0;
+      for (const { name, of: material, berth } of run.header.places) {
+        if (!berth && run.materials.has(material)) expected += run.material.count(name, time);
+      }
+      for (const { id } of run.header.carriers) expected += run.material.count(id, time);
+      for (const { operation } of run.operationsAt(time)) {
+        for (const [place, count] of run.header.operations.get(operation)!.consumes) {
+          if (run.materials.has(of.get(place)!)) expected += count;
+        }
+      }
+      expect(drawn, `at ${time}`).toBe(expected);
+    }
+  });
+
+  it('run along the belt while it feeds', () => {
+    const straight = (time: number): Pile => at(time).find(({ of, count }) => of === 'straight' && count === 1)!;
+    expect(run.operationsAt(30).map(({ operation }) => operation)).toContain('feed');
+    const [early, late] = [straight(10).at, straight(50).at];
+    expect(early.x - late.x).toBeGreaterThan(10); // from the storage in the east to the cutter in the west
+    expect(early.y).toBeCloseTo(late.y);
   });
 });
 
