@@ -58,7 +58,7 @@ export class Piles {
       const count = this.run.material.count(id, time);
       const { pose, held } = scene.carriers.get(id)!;
       const ground = (CARRIER_DECK_M + (held ? 0.12 : 0)) * scale;
-      if (count > 0) yield { at: pose, ground, columns: 2, of: this.run.material.loads.get(id) ?? '', count, scale };
+      if (count > 0) yield { at: pose, ground, columns: 2, of: this.run.material.loadOf(id, time) ?? '', count, scale };
     }
   }
 
