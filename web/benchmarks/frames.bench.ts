@@ -1,5 +1,5 @@
 // Measures on the page: how soon a log is on the screen, and frames per second while it plays. Prints; asserts nothing.
-// Run with `make web-bench`. SIZE=1920x1080 and SECONDS=20 change what is measured.
+// Run with `make web-bench`. SIZE=1920x1080 and MEASURE_SECONDS=20 change what is measured.
 
 import { test } from 'vitest';
 import { exported, launch, openPage, settled } from '../tests/browser';
