@@ -97,7 +97,7 @@ WEB_PAGE := build/web/linewright-view.html
 WEB_PACKAGES := web/node_modules/.package-lock.json
 WEB_SOURCES := $(shell find web/src -type f -not -name '*.test.ts' 2>/dev/null) \
   $(wildcard web/*.html web/*.json web/vite.config.ts)
-WEB_SUMMARY = page: $$(grep -hoE '[0-9]+ (passed|failed)' build/web/test.log | tail -1) tests
+WEB_SUMMARY = page: $$(grep -hE '^ +Tests ' build/web/test.log | grep -oE '[0-9]+ passed' | paste -sd ,)
 
 $(WEB_PACKAGES): web/package-lock.json web/package.json web/.npmrc | deps-web
 	$(SAY) "Installing the page's packages"
@@ -114,7 +114,7 @@ web-test: deps-web-test $(WEB_PAGE)
 	$(SAY) "Testing the page"
 	@cd web && npm run --silent check
 	@cd web && { NO_COLOR=1 npm test --silent && NO_COLOR=1 npm run --silent test:page; } 2>&1 | tee ../build/web/test.log
-	$(SAY) "Summary: $$(grep -hE '^ +Tests ' build/web/test.log | tr -s ' ' | paste -sd ';')"
+	$(SAY) "Summary: $(WEB_SUMMARY)"
 
 web-bench: deps-web-test $(WEB_PAGE)
 	@cd web && npm run --silent benchmark

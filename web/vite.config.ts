@@ -14,18 +14,25 @@ function oneFile(): Plugin {
       for (const [name, file] of Object.entries(bundle)) {
         if (file.type === 'chunk') {
           const code = file.code.replaceAll('</script', '<\\/script').replaceAll('<!--', '<\\!--');
-          html = html.replace(/\s*<script type="module"[^>]*><\/script>/, '').replace(/\s*<link rel="modulepreload"[^>]*>/g, '');
+          html = html
+            .replace(/\s*<script type="module"[^>]*><\/script>/, '')
+            .replace(/\s*<link rel="modulepreload"[^>]*>/g, '');
           html = html.replace('</body>', () => `<script type="module">${code}</script>\n  </body>`);
           policy += `; script-src '${hash(code)}'`;
           delete bundle[name];
         } else if (name.endsWith('.css')) {
           const style = String(file.source);
-          html = html.replace(/\s*<link rel="stylesheet"[^>]*>/, '').replace('</head>', () => `<style>${style}</style>\n  </head>`);
+          html = html
+            .replace(/\s*<link rel="stylesheet"[^>]*>/, '')
+            .replace('</head>', () => `<style>${style}</style>\n  </head>`);
           policy += `; style-src '${hash(style)}'`;
           delete bundle[name];
         }
       }
-      html = html.replace('<title>', () => `<meta http-equiv="Content-Security-Policy" content="${policy}" />\n    <title>`);
+      html = html.replace(
+        '<title>',
+        () => `<meta http-equiv="Content-Security-Policy" content="${policy}" />\n    <title>`,
+      );
       delete bundle['index.html'];
       this.emitFile({ type: 'asset', fileName: 'linewright-view.html', source: html });
     },

@@ -1,5 +1,5 @@
 // Measures on the page: how soon a log is on the screen, and frames per second while it plays. Prints; asserts nothing.
-// Run with `make web-bench`. SIZE=1920x1080 and SECONDS=20 change what is measured.
+// Run with `make web-bench`. SIZE=1920x1080 and MEASURE_SECONDS=20 change what is measured.
 
 import { test } from 'vitest';
 import { exported, launch, openPage, settled } from '../tests/browser';
@@ -13,7 +13,13 @@ test('the page', async () => {
   const browser = await launch();
   const cases: [string, { name: string; text: string }[]][] = [
     ['the duct line, 2 people and 2 robots', [{ name: 'routed', text: logText('routed') }]],
-    ['two runs of it', [{ name: 'a', text: logText('routed') }, { name: 'b', text: logText('routed_fifo') }]],
+    [
+      'two runs of it',
+      [
+        { name: 'a', text: logText('routed') },
+        { name: 'b', text: logText('routed_fifo') },
+      ],
+    ],
     ['50 people and 50 robots', [{ name: 'crowd', text: crowdLog(50, 600) }]],
   ];
   for (const [what, logs] of cases) {

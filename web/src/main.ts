@@ -8,7 +8,9 @@ async function start(): Promise<void> {
   const embedded = embeddedSources();
   if (embedded) return app.add(embedded);
   if (location.protocol === 'http:' || location.protocol === 'https:') return app.add(await servedSources());
-  app.invite('Choose files here or drop them anywhere on this page. linewright simulate … --log FILE.jsonl writes them.');
+  app.invite(
+    'Choose files here or drop them anywhere on this page. linewright simulate … --log FILE.jsonl writes them.',
+  );
 }
 
 // For tests and benchmarks; docs/view.md describes it.

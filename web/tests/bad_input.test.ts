@@ -16,10 +16,20 @@ const text = logText('routed');
 describe('a broken log', () => {
   it.each([
     ['cut off', text.slice(0, 60_000), 'The log is cut off in the middle of a line', 1],
-    ['of another version', text.replace('event_log/1', 'event_log/2'), 'This log has version 2 of the format; this page reads version 1', 0],
+    [
+      'of another version',
+      text.replace('event_log/1', 'event_log/2'),
+      'This log has version 2 of the format; this page reads version 1',
+      0,
+    ],
     ['empty', '', 'The file is empty', 0],
     ['no log', '{"schema": "line/1"}', 'This is not an event log', 0],
-    ['with a broken line', text.replace('"event":"pick_up"', '"event":"vanish"'), 'is left out: "vanish" is no event of this version', 1],
+    [
+      'with a broken line',
+      text.replace('"event":"pick_up"', '"event":"vanish"'),
+      'is left out: "vanish" is no event of this version',
+      1,
+    ],
   ])('that is %s is named on the page, and what can be shown is shown', async (_what, log, message, runs) => {
     const { page, faults } = await openPage(browser, exported([{ name: 'bad.jsonl', text: log }]));
     expect(await page.locator('.messages').innerText()).toContain(`bad.jsonl: `);
@@ -31,7 +41,13 @@ describe('a broken log', () => {
   });
 
   it('does not keep another one from being shown', async () => {
-    const { page } = await openPage(browser, exported([{ name: 'bad.jsonl', text: 'x' }, { name: 'good.jsonl', text }]));
+    const { page } = await openPage(
+      browser,
+      exported([
+        { name: 'bad.jsonl', text: 'x' },
+        { name: 'good.jsonl', text },
+      ]),
+    );
     const state = await settled(page);
     expect(state.runs.map((run) => run.name)).toEqual(['good.jsonl']);
     expect(state.logs[0]!.problems).toHaveLength(1);
@@ -43,7 +59,8 @@ describe('a broken log', () => {
     const line = '{"t":700,"event":"milestone","name":"again"}\n';
     const big = `${lines.slice(0, -2).join('\n')}\n`;
     const { url, server } = await serve((request, response) => {
-      if (request.url === '/logs.json') return response.end(JSON.stringify({ logs: [{ name: 'big.jsonl', href: 'logs/0', live: false }] }));
+      if (request.url === '/logs.json')
+        return response.end(JSON.stringify({ logs: [{ name: 'big.jsonl', href: 'logs/0', live: false }] }));
       response.write(big.slice(0, big.indexOf('{"t":701')));
       const block = line.repeat(20_000);
       let left = Math.ceil(100e6 / block.length);
@@ -67,7 +84,9 @@ describe('the page from disk', () => {
   it('without a log asks for files', async () => {
     const { page, faults } = await openPage(browser, pathToFileURL(PAGE).href);
     expect(await page.locator('.invite').innerText()).toContain('Open an event log');
-    await page.locator('.invite input[type=file]').setInputFiles([dataFile('routed.jsonl'), dataFile('routed_fifo.jsonl')]);
+    await page
+      .locator('.invite input[type=file]')
+      .setInputFiles([dataFile('routed.jsonl'), dataFile('routed_fifo.jsonl')]);
     await page.waitForFunction(() => window.linewright.state().runs.length === 2);
     expect(faults).toEqual([]);
     await page.context().close();
@@ -90,7 +109,10 @@ describe('text from files', () => {
     const [header, ...rest] = logText('kitting_cell').split('\n');
     const head = JSON.parse(header!) as { line: string; tasks: { name: string }[]; machines: string[] };
     head.line = evil;
-    const log = [JSON.stringify(head), ...rest].join('\n').replaceAll('"task":"build"', `"task":${JSON.stringify(evil)}`).replaceAll('"name":"kit_built"', `"name":${JSON.stringify(evil)}`);
+    const log = [JSON.stringify(head), ...rest]
+      .join('\n')
+      .replaceAll('"task":"build"', `"task":${JSON.stringify(evil)}`)
+      .replaceAll('"name":"kit_built"', `"name":${JSON.stringify(evil)}`);
     const { page, faults } = await openPage(browser, exported([{ name: evil, text: log }]));
     await page.keyboard.press('Shift+ArrowRight');
     for (let i = 0; i < 6; ++i) await page.keyboard.press('n');
@@ -106,7 +128,8 @@ describe('text from files', () => {
 describe('a server', () => {
   const open = (live: boolean, answer: (response: ServerResponse) => void): ReturnType<typeof serve> =>
     serve((request, response) => {
-      if (request.url === '/logs.json') response.end(JSON.stringify({ logs: [{ name: 'run.jsonl', href: 'logs/0', live }] }));
+      if (request.url === '/logs.json')
+        response.end(JSON.stringify({ logs: [{ name: 'run.jsonl', href: 'logs/0', live }] }));
       else if (request.url === '/logs/0') answer(response);
       else response.writeHead(404).end();
     });
@@ -152,7 +175,9 @@ describe('a server', () => {
   it('without logs gets a message, and files can be chosen instead', async () => {
     const { url, server } = await serve((_request, response) => response.writeHead(500).end());
     const { page } = await openPage(browser, url);
-    expect(await page.locator('.messages').innerText()).toContain('The logs could not be loaded: the server answered 500');
+    expect(await page.locator('.messages').innerText()).toContain(
+      'The logs could not be loaded: the server answered 500',
+    );
     await page.locator('.invite input[type=file]').setInputFiles(dataFile('kitting_cell.jsonl'));
     await page.waitForFunction(() => window.linewright.state().runs.length === 1);
     expect((await settled(page)).runs[0]!.name).toBe('kitting_cell.jsonl');

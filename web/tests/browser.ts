@@ -25,7 +25,9 @@ declare global {
   }
 }
 
-export function launch(args = ['--use-gl=angle', '--use-angle=swiftshader', '--enable-unsafe-swiftshader']): Promise<Browser> {
+export function launch(
+  args = ['--use-gl=angle', '--use-angle=swiftshader', '--enable-unsafe-swiftshader'],
+): Promise<Browser> {
   return chromium.launch({
     executablePath: process.env.CHROMIUM ?? '/usr/bin/chromium',
     args: ['--no-sandbox', ...args],
@@ -43,7 +45,11 @@ export function exported(logs: { name: string; text: string }[]): string {
 }
 
 /** A page on which nothing may go wrong unseen: `faults` collects errors of scripts and of the policy. */
-export async function openPage(browser: Browser, url: string, options: BrowserContextOptions = {}): Promise<{ page: Page; faults: string[] }> {
+export async function openPage(
+  browser: Browser,
+  url: string,
+  options: BrowserContextOptions = {},
+): Promise<{ page: Page; faults: string[] }> {
   const context = await browser.newContext({ viewport: { width: 1280, height: 720 }, ...options });
   const page = await context.newPage();
   const faults: string[] = [];
@@ -69,13 +75,19 @@ export async function seek(page: Page, time: number): Promise<AppState> {
 
 /** Clicks on a row of the Gantt chart of a run at a tick. */
 export async function clickChart(page: Page, run: number, row: string, t: number): Promise<void> {
-  const point = await page.evaluate(([r, name, tick]) => window.linewright.pointOf(r, name, tick), [run, row, t] as const);
+  const point = await page.evaluate(([r, name, tick]) => window.linewright.pointOf(r, name, tick), [
+    run,
+    row,
+    t,
+  ] as const);
   if (!point) throw new Error(`the chart has no row ${row}`);
   await page.mouse.click(point.x, point.y);
   await settled(page);
 }
 
-export async function serve(answer: (request: IncomingMessage, response: ServerResponse) => void): Promise<{ url: string; server: Server }> {
+export async function serve(
+  answer: (request: IncomingMessage, response: ServerResponse) => void,
+): Promise<{ url: string; server: Server }> {
   const server = createServer((request, response) => {
     if (request.url !== '/') return answer(request, response);
     response.setHeader('content-type', 'text/html; charset=utf-8');

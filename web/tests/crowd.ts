@@ -22,20 +22,35 @@ export function crowdLog(each: number, ticks: number): string {
   header.workers = ['human', 'robot'].flatMap((kind) =>
     Array.from({ length: each }, (_, i) => ({ id: `${kind}.${i}`, kind, start: pick(at(kind)) })),
   );
-  header.carriers = Array.from({ length: each }, (_, i) => ({ id: `cage.${i}`, kind: 'cage', capacity: 4, start: header.workers[each + i]!.start }));
+  header.carriers = Array.from({ length: each }, (_, i) => ({
+    id: `cage.${i}`,
+    kind: 'cage',
+    capacity: 4,
+    start: header.workers[each + i]!.start,
+  }));
   const events: { t: number }[] = [];
   header.workers.forEach((worker, i) => {
     const task = header.tasks[i % header.tasks.length]!.name;
     events.push({ t: 1, event: 'decision', n: i + 1, task, crew: { [worker.kind]: [worker.id] } } as { t: number });
-    if (worker.kind === 'robot') events.push({ t: 1, event: 'pick_up', n: i + 1, worker: worker.id, carrier: `cage.${i - each}` } as { t: number });
+    if (worker.kind === 'robot')
+      events.push({ t: 1, event: 'pick_up', n: i + 1, worker: worker.id, carrier: `cage.${i - each}` } as {
+        t: number;
+      });
     let from = worker.start;
     for (let t = 1; t < ticks; ) {
       const to = pick(at(worker.kind).filter((name) => name !== from));
       const [a, b] = [header.stations[from]![worker.kind]!, header.stations[to]![worker.kind]!];
       const metres = Math.hypot(a[0]! - b[0]!, a[1]! - b[1]!);
       const arrives = t + Math.max(1, Math.round(metres / 1.5));
-      const path = Array.from({ length: 21 }, (_, k) => [a[0]! + ((b[0]! - a[0]!) * k) / 20, a[1]! + ((b[1]! - a[1]!) * k) / 20 + Math.sin((k * Math.PI) / 20), 0, k / 20]);
-      events.push({ t, event: 'go', n: i + 1, worker: worker.id, from, to, departs: t, arrives, metres, path } as { t: number });
+      const path = Array.from({ length: 21 }, (_, k) => [
+        a[0]! + ((b[0]! - a[0]!) * k) / 20,
+        a[1]! + ((b[1]! - a[1]!) * k) / 20 + Math.sin((k * Math.PI) / 20),
+        0,
+        k / 20,
+      ]);
+      events.push({ t, event: 'go', n: i + 1, worker: worker.id, from, to, departs: t, arrives, metres, path } as {
+        t: number;
+      });
       [from, t] = [to, arrives + 1];
     }
   });

@@ -11,7 +11,8 @@ beforeAll(async () => {
 });
 afterAll(() => browser?.close());
 
-const logs = (...names: LogName[]): string => exported(names.map((name) => ({ name: `${name}.jsonl`, text: logText(name) })));
+const logs = (...names: LogName[]): string =>
+  exported(names.map((name) => ({ name: `${name}.jsonl`, text: logText(name) })));
 
 describe('the built page', () => {
   const html = readFileSync(PAGE, 'utf8');
@@ -60,7 +61,11 @@ describe('one run', () => {
   it('agrees with the log itself about who stands where when a way ends', async () => {
     const lines = logText('routed').trim().split('\n');
     const { stations } = JSON.parse(lines[0]!) as { stations: Record<string, Record<string, number[]>> };
-    const go = JSON.parse(lines.find((line) => line.includes('"event":"go"'))!) as { worker: string; to: string; arrives: number };
+    const go = JSON.parse(lines.find((line) => line.includes('"event":"go"'))!) as {
+      worker: string;
+      to: string;
+      arrives: number;
+    };
     const agent = (await seek(page, go.arrives)).runs[0]!.agents[go.worker]!;
     const [x, y] = stations[go.to]![go.worker.split('.')[0]!]!;
     expect(agent).toMatchObject({ x, y, moving: false, station: go.to });
@@ -88,6 +93,21 @@ describe('one run', () => {
     const { time } = await settled(page);
     expect(time).toBeGreaterThan(200);
     expect(time).toBeLessThan(500);
+  });
+
+  it('zooms the chart, and turns its page when time leaves it', async () => {
+    await seek(page, 0);
+    for (let i = 0; i < 6; ++i) await page.keyboard.press('+');
+    const at = (t: number): Promise<number> =>
+      page.evaluate((tick) => window.linewright.pointOf(0, 'human.0', tick)!.x, t);
+    expect((await at(10)) - (await at(0))).toBeGreaterThan(50);
+    await seek(page, 700);
+    const chart = (await page.locator('.gantt canvas').boundingBox())!;
+    expect(await at(700)).toBeGreaterThan(chart.x);
+    expect(await at(700)).toBeLessThan(chart.x + chart.width);
+    expect(await page.locator('.playhead').isVisible()).toBe(true);
+    for (let i = 0; i < 6; ++i) await page.keyboard.press('-');
+    await settled(page);
   });
 
   it('says of a bar who did what, with whom, from where and how far', async () => {
@@ -133,7 +153,14 @@ describe('one run', () => {
     expect((await settled(page)).time).toBeGreaterThan(100);
     await page.keyboard.press('ArrowUp');
     expect((await settled(page)).speed).toBe(16);
-    for (const [key, want] of [['t', { camera: 'top' }], ['f', { camera: 'follow' }], ['o', { camera: 'overview' }], ['l', { labels: 'agents' }], ['r', { routes: true }], ['d', { theme: 'dark' }]] as const) {
+    for (const [key, want] of [
+      ['t', { camera: 'top' }],
+      ['f', { camera: 'follow' }],
+      ['o', { camera: 'overview' }],
+      ['l', { labels: 'agents' }],
+      ['r', { routes: true }],
+      ['d', { theme: 'dark' }],
+    ] as const) {
       await page.keyboard.press(key);
       expect(await settled(page)).toMatchObject(want);
     }
@@ -183,7 +210,12 @@ describe('two runs', () => {
 
 describe('a phone', () => {
   it('shows everything in one column, nothing wider than the screen', async () => {
-    const { page, faults } = await openPage(browser, logs('routed'), { viewport: { width: 390, height: 844 }, deviceScaleFactor: 2, hasTouch: true, isMobile: true });
+    const { page, faults } = await openPage(browser, logs('routed'), {
+      viewport: { width: 390, height: 844 },
+      deviceScaleFactor: 2,
+      hasTouch: true,
+      isMobile: true,
+    });
     const widths = await page.evaluate(() => [document.documentElement.scrollWidth, window.innerWidth]);
     expect(widths[0]).toBeLessThanOrEqual(widths[1]!);
     const order = ['.bar', '.halls', '.transport', '.charts', '.panel'];

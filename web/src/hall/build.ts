@@ -2,7 +2,19 @@
 // The light is painted into the colours: without a graphics card light that is computed per pixel is what costs most.
 // Map coordinates (x, y, up) become three.js' (x, up, -y).
 
-import { BoxGeometry, BufferAttribute, BufferGeometry, Color, CylinderGeometry, Matrix4, Shape, ShapeGeometry, ExtrudeGeometry, SphereGeometry, Vector3 } from 'three';
+import {
+  BoxGeometry,
+  BufferAttribute,
+  BufferGeometry,
+  Color,
+  CylinderGeometry,
+  Matrix4,
+  Shape,
+  ShapeGeometry,
+  ExtrudeGeometry,
+  SphereGeometry,
+  Vector3,
+} from 'three';
 import type { Point } from '../log/header';
 
 export class Builder {
@@ -39,7 +51,13 @@ export class Builder {
   }
 
   /** A standing cylinder or cone. */
-  pillar(radii: [bottom: number, top: number], height: number, at: [number, number, number], colour: string, sides = 10): this {
+  pillar(
+    radii: [bottom: number, top: number],
+    height: number,
+    at: [number, number, number],
+    colour: string,
+    sides = 10,
+  ): this {
     const move = new Matrix4().makeTranslation(at[0], at[2] + height / 2, -at[1]);
     return this.add(new CylinderGeometry(radii[1], radii[0], height, sides), colour, move);
   }
@@ -102,7 +120,8 @@ export function contactShadow(polygon: readonly Point[], reach: number, strength
       [polygon[i]!, strength],
       [outer[j]!, 0],
       [polygon[j]!, strength],
-    ] as [Point, number][]) corner(point, alpha);
+    ] as [Point, number][])
+      corner(point, alpha);
   }
   const geometry = new BufferGeometry();
   geometry.setAttribute('position', new BufferAttribute(new Float32Array(positions), 3));
@@ -132,7 +151,17 @@ export function discGeometry(radius: number, sides: number): BufferGeometry {
   const colours: number[] = [];
   for (let i = 0; i < sides; ++i) {
     const [a, b] = [(i / sides) * 2 * Math.PI, ((i + 1) / sides) * 2 * Math.PI];
-    positions.push(0, 0, 0, radius * Math.cos(a), 0, -radius * Math.sin(a), radius * Math.cos(b), 0, -radius * Math.sin(b));
+    positions.push(
+      0,
+      0,
+      0,
+      radius * Math.cos(a),
+      0,
+      -radius * Math.sin(a),
+      radius * Math.cos(b),
+      0,
+      -radius * Math.sin(b),
+    );
     colours.push(0, 0, 0, 0.42, 0, 0, 0, 0, 0, 0, 0, 0);
   }
   geometry.setAttribute('position', new BufferAttribute(new Float32Array(positions), 3));

@@ -89,7 +89,8 @@ export class HallCamera {
       const { low, high } = this.extent();
       // What is nearer looks larger, so the middle of the floor is not the middle of its picture. A little lower
       // still, for the title.
-      this.aim.z -= ((low + high) / 2 + 0.05) * far * Math.tan((this.camera.fov * Math.PI) / 360) / Math.max(0.3, direction.y);
+      this.aim.z -=
+        (((low + high) / 2 + 0.05) * far * Math.tan((this.camera.fov * Math.PI) / 360)) / Math.max(0.3, direction.y);
     }
     this.controls.target.copy(this.aim);
     this.controls.update();

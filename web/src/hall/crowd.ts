@@ -1,6 +1,18 @@
 // People, robots and carriers: one instanced mesh per kind, so that a hundred of them are a few draw calls.
 
-import { Color, DynamicDrawUsage, Group, InstancedMesh, Matrix4, MeshBasicMaterial, Quaternion, RingGeometry, Vector3, type BufferGeometry, type Material } from 'three';
+import {
+  Color,
+  DynamicDrawUsage,
+  Group,
+  InstancedMesh,
+  Matrix4,
+  MeshBasicMaterial,
+  Quaternion,
+  RingGeometry,
+  Vector3,
+  type BufferGeometry,
+  type Material,
+} from 'three';
 import type { Header, Pose } from '../log/header';
 import type { Run } from '../run/run';
 import { kindIndex, pickFrom, type Theme } from '../ui/theme';
@@ -72,7 +84,11 @@ export class Crowd {
     this.shadows = this.instanced(discGeometry(0.75, this.plain ? 8 : 16), shadowMaterial(), all);
     this.shadows.renderOrder = -1;
     const ring = new RingGeometry(0.56, 0.74, this.plain ? 14 : 28).rotateX(-Math.PI / 2);
-    this.rings = this.instanced(ring, new MeshBasicMaterial({ transparent: true, opacity: 0.85, depthWrite: false }), header.workers.length);
+    this.rings = this.instanced(
+      ring,
+      new MeshBasicMaterial({ transparent: true, opacity: 0.85, depthWrite: false }),
+      header.workers.length,
+    );
     this.rings.renderOrder = 0;
   }
 

@@ -1,6 +1,19 @@
 // Everything that does not move: floor, walls, obstacles, the stations' marks and the routes.
 
-import { BufferAttribute, BufferGeometry, Color, DoubleSide, EdgesGeometry, Float32BufferAttribute, Group, LineBasicMaterial, LineSegments, Mesh, MeshBasicMaterial, RingGeometry } from 'three';
+import {
+  BufferAttribute,
+  BufferGeometry,
+  Color,
+  DoubleSide,
+  EdgesGeometry,
+  Float32BufferAttribute,
+  Group,
+  LineBasicMaterial,
+  LineSegments,
+  Mesh,
+  MeshBasicMaterial,
+  RingGeometry,
+} from 'three';
 import type { Header, Point } from '../log/header';
 import type { Run } from '../run/run';
 import { kindIndex, pickFrom, type Theme } from '../ui/theme';
@@ -29,14 +42,21 @@ export function buildFloor(layout: Layout, header: Header, theme: Theme): Group 
   if (!layout.ownWalls) rim(layout, theme, solid);
   if (!solid.empty) group.add(new Mesh(solid.done(), new MeshBasicMaterial({ vertexColors: true })));
   if (!glass.empty) {
-    const material = new MeshBasicMaterial({ vertexColors: true, transparent: true, opacity: 0.2, depthWrite: false, side: DoubleSide });
+    const material = new MeshBasicMaterial({
+      vertexColors: true,
+      transparent: true,
+      opacity: 0.2,
+      depthWrite: false,
+      side: DoubleSide,
+    });
     const mesh = new Mesh(glass.done(), material);
     mesh.renderOrder = 5;
     group.add(mesh);
   }
   group.add(edges.lines(theme.edge));
   const reach = Math.min(0.9, Math.max(x1 - x0, y1 - y0) / 50);
-  for (const block of layout.blocks) group.add(shadowOf(block.polygon, reach * (block.look === 'wall' ? 0.6 : 1), theme));
+  for (const block of layout.blocks)
+    group.add(shadowOf(block.polygon, reach * (block.look === 'wall' ? 0.6 : 1), theme));
   group.add(stationMarks(header, theme));
   return group;
 }
@@ -92,12 +112,18 @@ function stationMarks(header: Header, theme: Theme): Group {
       const colour = pickFrom(theme.kinds, kindIndex(kind, kinds));
       const ring = new RingGeometry(0.38, 0.5, 20).rotateX(-Math.PI / 2).translate(x, 0.02, -y);
       rings.add(ring, colour);
-      const pointer = new RingGeometry(0.5, 0.75, 6, 1, -0.25, 0.5).rotateX(-Math.PI / 2).rotateY(yaw).translate(x, 0.02, -y);
+      const pointer = new RingGeometry(0.5, 0.75, 6, 1, -0.25, 0.5)
+        .rotateX(-Math.PI / 2)
+        .rotateY(yaw)
+        .translate(x, 0.02, -y);
       rings.add(pointer, colour);
     }
   }
   if (rings.empty) return group;
-  const mesh = new Mesh(rings.done(), new MeshBasicMaterial({ vertexColors: true, transparent: true, opacity: 0.55, depthWrite: false }));
+  const mesh = new Mesh(
+    rings.done(),
+    new MeshBasicMaterial({ vertexColors: true, transparent: true, opacity: 0.55, depthWrite: false }),
+  );
   mesh.renderOrder = -1;
   group.add(mesh);
   return group;
@@ -129,7 +155,12 @@ export function buildRoutes(run: Run, theme: Theme): LineSegments {
 export function buildZones(header: Header, theme: Theme): Map<string, Mesh> {
   const zones = new Map<string, Mesh>();
   for (const { name, polygon } of header.zones) {
-    const material = new MeshBasicMaterial({ color: theme.closed, transparent: true, opacity: 0.28, depthWrite: false });
+    const material = new MeshBasicMaterial({
+      color: theme.closed,
+      transparent: true,
+      opacity: 0.28,
+      depthWrite: false,
+    });
     const mesh = new Mesh(flatGeometry(polygon), material);
     mesh.position.y = 0.025;
     zones.set(name, mesh);
@@ -140,7 +171,12 @@ export function buildZones(header: Header, theme: Theme): Map<string, Mesh> {
 function segments(points: number[], colour: string, opacity: number): LineSegments {
   const geometry = new BufferGeometry();
   geometry.setAttribute('position', new Float32BufferAttribute(points, 3));
-  const material = new LineBasicMaterial({ color: new Color(colour), transparent: opacity < 1, opacity, depthWrite: false });
+  const material = new LineBasicMaterial({
+    color: new Color(colour),
+    transparent: opacity < 1,
+    opacity,
+    depthWrite: false,
+  });
   return new LineSegments(geometry, material);
 }
 

@@ -1,20 +1,21 @@
 // The items: boxes in the colour of their material, where they lie and in the carriers that hold them.
 
 import { Color, DynamicDrawUsage, Group, InstancedMesh, Matrix4, MeshBasicMaterial, Quaternion, Vector3 } from 'three';
-import type { Pose } from '../log/header';
 import type { Run } from '../run/run';
 import { pickFrom, type Theme } from '../ui/theme';
 import type { Scene } from './crowd';
-import { CARRIER_DECK_M, itemFigure } from './figures';
-import { GRIPPER_M, type Heads } from './heads';
+import { itemFigure } from './figures';
+import type { Heads } from './heads';
 import type { Layout } from './layout';
 import { ITEM_M } from './material_places';
+import { Piles, type Pile } from './piles';
 
 const MOST_SHOWN = 36; // of one place; the label says how many there are
 const UP = new Vector3(0, 1, 0);
 
 export class Goods {
   readonly group = new Group();
+  private readonly piles: Piles;
   private mesh: InstancedMesh | undefined;
   private readonly colours = new Map<string, string>(); // by material
   private next = 0;
@@ -24,38 +25,13 @@ export class Goods {
   private readonly size = new Vector3();
   private readonly colour = new Color();
 
-  constructor(
-    private readonly run: Run,
-    private readonly layout: Layout,
-    theme: Theme,
-    private readonly heads: Heads,
-  ) {
+  constructor(run: Run, layout: Layout, theme: Theme, heads: Heads) {
+    this.piles = new Piles(run, layout, heads);
     [...run.materials].forEach((material, i) => this.colours.set(material, pickFrom(theme.materials, i)));
   }
 
   draw(time: number, scene: Scene): void {
-    const { header, material } = this.run;
-    const piles: { at: Pose; ground: number; columns: number; of: string; count: number; scale: number }[] = [];
-    const atMachine = new Map<string, number>();
-    for (const place of header.places) {
-      const spot = this.layout.material.get(place.name);
-      const count = material.count(place.name, time);
-      if (!spot || count <= 0 || !this.run.materials.has(place.of)) continue;
-      // Several places of one machine share its top, one beside the other.
-      const before = spot.atMachine ? (atMachine.get(spot.atMachine) ?? 0) : 0;
-      if (spot.atMachine) atMachine.set(spot.atMachine, before + 1);
-      const gantry = this.layout.machines.find((machine) => machine.overhead && machine.name === spot.atMachine);
-      const [x, y] = gantry ? this.heads.at(gantry, time) : spot.centre;
-      const at = { x: x + before * ITEM_M, y, yaw: 0 };
-      piles.push({ at, ground: gantry ? GRIPPER_M - 0.2 : spot.ground, columns: spot.columns, of: place.of, count, scale: 1 });
-    }
-    for (const { id } of header.carriers) {
-      const count = material.count(id, time);
-      const { pose, held } = scene.carriers.get(id)!;
-      const scale = this.layout.agentScale;
-      const deck = (CARRIER_DECK_M + (held ? 0.12 : 0)) * scale;
-      if (count > 0) piles.push({ at: pose, ground: deck, columns: 2, of: material.loads.get(id) ?? '', count, scale });
-    }
+    const piles = this.piles.at(time, scene);
     this.reserve(piles.reduce((sum, pile) => sum + Math.min(pile.count, MOST_SHOWN), 0));
     this.next = 0;
     for (const pile of piles) this.pile(pile);
@@ -73,7 +49,7 @@ export class Goods {
     this.mesh?.dispose();
   }
 
-  private pile(pile: { at: Pose; ground: number; columns: number; of: string; count: number; scale: number }): void {
+  private pile(pile: Pile): void {
     const { at, columns, scale } = pile;
     const step = ITEM_M * scale;
     const count = Math.min(pile.count, MOST_SHOWN);

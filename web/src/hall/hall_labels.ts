@@ -42,7 +42,11 @@ export function hallLabels(task: LabelTask): Label[] {
   for (const block of task.layout.blocks) {
     if (block.look === 'wall' || block.machine) continue;
     const [x, y] = middle(boxOf(block.polygon));
-    put(x, y, block.look === 'open' ? block.height + 0.3 : block.height, { text: shown(block.name), rank: 60, look: 'place' });
+    put(x, y, block.look === 'open' ? block.height + 0.3 : block.height, {
+      text: shown(block.name),
+      rank: 60,
+      look: 'place',
+    });
   }
   for (const station of task.layout.stations.values()) {
     put(station.centre[0], station.centre[1] - 0.9, 0, { text: shown(station.name), rank: 70, look: 'place' });
@@ -58,7 +62,13 @@ function agents({ run, scene, layout, selected, taskColour, theme }: LabelTask, 
     if (many && id !== selected) continue;
     const up = (run.kindOf(id) === 'human' ? 2.2 : 1.35) * layout.agentScale;
     const strong = id === selected;
-    put(pose.x, pose.y, up, { text: id, rank: strong ? 0 : 10, look: 'agent', colour: taskColour(id) ?? theme.wait, strong });
+    put(pose.x, pose.y, up, {
+      text: id,
+      rank: strong ? 0 : 10,
+      look: 'agent',
+      colour: taskColour(id) ?? theme.wait,
+      strong,
+    });
   }
   for (const [id, { pose }] of scene.carriers) {
     if (many || !run.material.count(id, Infinity)) continue;
@@ -90,6 +100,11 @@ function counts({ run, layout, goods, time }: LabelTask, put: Put): void {
     const count = run.material.count(place.name, time);
     const of = place.capacity === undefined ? '' : ` / ${place.capacity}`;
     const text = `${shown(place.of)} ${count}${of}`;
-    put(spot.centre[0], spot.centre[1], spot.ground + 1.1, { text, rank: 30, look: 'count', colour: goods.colourOf(place.of) });
+    put(spot.centre[0], spot.centre[1], spot.ground + 1.1, {
+      text,
+      rank: 30,
+      look: 'count',
+      colour: goods.colourOf(place.of),
+    });
   }
 }

@@ -74,7 +74,10 @@ function block(obstacle: Obstacle, bounds: Box, machines: string[]): Block {
   const box = boxOf(obstacle.polygon);
   const [long, short] = [box.x1 - box.x0, box.y1 - box.y0].sort((a, b) => b - a) as [number, number];
   const touches =
-    box.x0 <= bounds.x0 + 0.01 || box.x1 >= bounds.x1 - 0.01 || box.y0 <= bounds.y0 + 0.01 || box.y1 >= bounds.y1 - 0.01;
+    box.x0 <= bounds.x0 + 0.01 ||
+    box.x1 >= bounds.x1 - 0.01 ||
+    box.y0 <= bounds.y0 + 0.01 ||
+    box.y1 >= bounds.y1 - 0.01;
   if (touches && short <= 1 && long > 8 * short) return { ...obstacle, look: 'wall' };
   const plain = (name: string): string => name.toLowerCase().replaceAll(/[^a-z0-9]/g, '');
   const machine = machines.find((name) => plain(name) === plain(obstacle.name));

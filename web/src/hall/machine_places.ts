@@ -79,7 +79,16 @@ function standard(task: MachineTask, name: string, [x, y]: Point, known: boolean
     [x + half, y + half],
     [x - half, y + half],
   ];
-  return { name, centre: [x, y], area, ground: groundAt(task.blocks, [x, y]), height: HEIGHT_M, known, block: false, overhead: false };
+  return {
+    name,
+    centre: [x, y],
+    area,
+    ground: groundAt(task.blocks, [x, y]),
+    height: HEIGHT_M,
+    known,
+    block: false,
+    overhead: false,
+  };
 }
 
 function stationOf(task: MachineTask, machine: string): StationSpot | undefined {

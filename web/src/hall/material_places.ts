@@ -3,7 +3,7 @@
 import type { Header, Point } from '../log/header';
 import { boxOf, contains, distance, type Box } from './geometry';
 import { groundAt, type Block, type StationSpot } from './layout';
-import { inFrontOf, settle, settledPlace, type MachineSpot } from './machine_places';
+import { inFrontOf, isBelt, settle, settledPlace, type MachineSpot } from './machine_places';
 
 export interface MaterialSpot {
   place: string;
@@ -95,16 +95,48 @@ function placeAtMachines(task: MaterialTask, places: string[], spots: Map<string
   const settled = settle(task.header, anchors);
   const fixed = task.machines.filter((machine) => !machine.overhead);
   for (const place of places) {
-    const machine = gantryOf(task, place) ?? machineOf(task, fixed, place) ?? nearest(fixed, settledPlace(settled, place));
+    const machine =
+      gantryOf(task, place) ?? machineOf(task, fixed, place) ?? nearest(fixed, settledPlace(settled, place));
     if (!machine) continue;
     spots.set(place, {
       place,
-      centre: machine.centre,
+      centre: onBelt(task, fixed, place, machine) ?? machine.centre,
       ground: machine.ground + machine.height,
       columns: 2,
       atMachine: machine.name,
     });
   }
+}
+
+/** What runs on a belt comes in at one end and leaves at the other, which is nearer to where it is taken. */
+function onBelt(task: MaterialTask, fixed: MachineSpot[], place: string, machine: MachineSpot): Point | undefined {
+  const box = boxOf(machine.area);
+  const [length, width] = [box.x1 - box.x0, box.y1 - box.y0];
+  if (machine.overhead || machine.block || !isBelt(length, width)) return undefined;
+  const [x, y] = machine.centre;
+  const reach = Math.max(length, width) / 2 - ITEM_M;
+  const ends: [Point, Point] =
+    length > width
+      ? [
+          [x - reach, y],
+          [x + reach, y],
+        ]
+      : [
+          [x, y - reach],
+          [x, y + reach],
+        ];
+  const outside = fixed.filter((other) => other !== machine);
+  const operations = [...task.header.operations.values()];
+  const next = (from: string): MachineSpot | undefined =>
+    outside.find((other) =>
+      operations.some((o) => o.consumes.has(from) && [...o.uses, ...o.claims].includes(other.name)),
+    );
+  const made = operations.filter((o) => o.consumes.has(place)).flatMap((o) => [...o.produces.keys()]);
+  const taker = next(place);
+  const later = taker ?? made.map(next).find((found) => found !== undefined);
+  if (!later) return undefined;
+  const [near, far] = distance(ends[0], later.centre) < distance(ends[1], later.centre) ? ends : [ends[1], ends[0]];
+  return taker ? near : far;
 }
 
 /** The gantry that holds it, else the machine it was made in, else that of the operations that take it. */

@@ -15,7 +15,13 @@ export class Paths {
   private readonly colour = new Color();
 
   constructor() {
-    const material = new MeshBasicMaterial({ vertexColors: true, transparent: true, opacity: 0.8, side: DoubleSide, depthWrite: false });
+    const material = new MeshBasicMaterial({
+      vertexColors: true,
+      transparent: true,
+      opacity: 0.8,
+      side: DoubleSide,
+      depthWrite: false,
+    });
     this.mesh = new Mesh(new BufferGeometry(), material);
     this.mesh.frustumCulled = false;
   }

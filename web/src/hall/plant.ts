@@ -1,7 +1,17 @@
 // The machines: a body where each stands, a band around it in the colour of its state, and for those that move
 // between positions a gantry whose head follows the material.
 
-import { Color, DynamicDrawUsage, Group, InstancedMesh, Matrix4, Mesh, MeshBasicMaterial, Quaternion, Vector3 } from 'three';
+import {
+  Color,
+  DynamicDrawUsage,
+  Group,
+  InstancedMesh,
+  Matrix4,
+  Mesh,
+  MeshBasicMaterial,
+  Quaternion,
+  Vector3,
+} from 'three';
 import type { MachineInterval } from '../run/machines';
 import type { Run } from '../run/run';
 import type { Theme } from '../ui/theme';
@@ -36,8 +46,15 @@ export class Plant {
     if (!body.empty) this.group.add(new Mesh(body.done(), new MeshBasicMaterial({ vertexColors: true })));
     const cube = new Builder().box([1, 1, 1], [0, 0, -0.5], '#ffffff').done();
     this.bands = this.instanced(cube, new MeshBasicMaterial(), layout.machines.length);
-    const head = new Builder().box([0.7, 0.7, 0.5], [0, 0, BEAM_M - 0.5], '#ffffff').pillar([0.08, 0.08], 1.2, [0, 0, BEAM_M - 1.7], '#ffffff').box([0.5, 0.5, 0.08], [0, 0, BEAM_M - 1.75], '#ffffff');
-    this.heads = this.instanced(head.done(), new MeshBasicMaterial({ vertexColors: true }), Math.max(1, this.gantries.length));
+    const head = new Builder()
+      .box([0.7, 0.7, 0.5], [0, 0, BEAM_M - 0.5], '#ffffff')
+      .pillar([0.08, 0.08], 1.2, [0, 0, BEAM_M - 1.7], '#ffffff')
+      .box([0.5, 0.5, 0.08], [0, 0, BEAM_M - 1.75], '#ffffff');
+    this.heads = this.instanced(
+      head.done(),
+      new MeshBasicMaterial({ vertexColors: true }),
+      Math.max(1, this.gantries.length),
+    );
     this.heads.count = this.gantries.length;
   }
 
@@ -90,14 +107,17 @@ function addBody(machine: MachineSpot, theme: Theme, body: Builder): void {
   // Long and narrow: a belt, with rollers across.
   const along = length > width;
   for (let at = 0.5; at < Math.max(length, width) - 0.2; at += 0.6) {
-    const spot: [number, number, number] = along ? [box.x0 + at, (box.y0 + box.y1) / 2, ground + height] : [(box.x0 + box.x1) / 2, box.y0 + at, ground + height];
+    const spot: [number, number, number] = along
+      ? [box.x0 + at, (box.y0 + box.y1) / 2, ground + height]
+      : [(box.x0 + box.x1) / 2, box.y0 + at, ground + height];
     body.box(along ? [0.2, width * 0.86, 0.04] : [length * 0.86, 0.2, 0.04], spot, theme.edge);
   }
 }
 
 function addGantry(machine: MachineSpot, theme: Theme, body: Builder): void {
   const box = boxOf(machine.area);
-  for (const x of [box.x0, box.x1]) for (const y of [box.y0, box.y1]) body.box([0.16, 0.16, BEAM_M], [x, y, 0], theme.edge);
+  for (const x of [box.x0, box.x1])
+    for (const y of [box.y0, box.y1]) body.box([0.16, 0.16, BEAM_M], [x, y, 0], theme.edge);
   const [length, width] = beamSize(machine);
   body.box([length, width, 0.22], [(box.x0 + box.x1) / 2, (box.y0 + box.y1) / 2, BEAM_M - 0.14], theme.edge);
 }

@@ -1,6 +1,17 @@
 // The hall of one run on a canvas. Draws when asked to, never by itself.
 
-import { Color, Group, LineSegments, Mesh, MeshBasicMaterial, RingGeometry, Scene as Stage, Vector3, WebGLRenderer, type Object3D } from 'three';
+import {
+  Color,
+  Group,
+  LineSegments,
+  Mesh,
+  MeshBasicMaterial,
+  RingGeometry,
+  Scene as Stage,
+  Vector3,
+  WebGLRenderer,
+  type Object3D,
+} from 'three';
 import type { Pose } from '../log/header';
 import type { Run } from '../run/run';
 import { TaskColours } from '../run/names';
@@ -57,7 +68,10 @@ export class HallView {
     this.layout = layOut(run.header, run.seenAt);
     this.colours = new TaskColours(run.header);
     this.eye = new HallCamera(this.renderer.domElement, this.layout.bounds, tallest(this.layout), changed);
-    this.ring = new Mesh(new RingGeometry(0.8, 0.92, 32).rotateX(-Math.PI / 2), new MeshBasicMaterial({ color: theme.ink }));
+    this.ring = new Mesh(
+      new RingGeometry(0.8, 0.92, 32).rotateX(-Math.PI / 2),
+      new MeshBasicMaterial({ color: theme.ink }),
+    );
     this.stage.add(this.paths.mesh, this.ring);
     this.build();
     this.resize();
@@ -108,14 +122,24 @@ export class HallView {
     const consider = (name: string, x: number, y: number, up: number, bonus: number): void => {
       point.set(x, up, -y).project(this.eye.camera);
       if (point.z > 1) return;
-      const far = Math.hypot(((point.x + 1) / 2) * frame.width - (clientX - frame.left), ((1 - point.y) / 2) * frame.height - (clientY - frame.top)) - bonus;
+      const far =
+        Math.hypot(
+          ((point.x + 1) / 2) * frame.width - (clientX - frame.left),
+          ((1 - point.y) / 2) * frame.height - (clientY - frame.top),
+        ) - bonus;
       if (far < best) [best, found] = [far, name];
     };
     for (const [id, pose] of this.drawn?.agents ?? []) {
       for (const up of [0.3, 1.6]) consider(id, pose.x, pose.y, up * this.layout.agentScale, 4);
     }
     for (const machine of this.layout.machines) {
-      consider(machine.name, machine.centre[0], machine.centre[1], machine.overhead ? 3.4 : machine.ground + machine.height, 0);
+      consider(
+        machine.name,
+        machine.centre[0],
+        machine.centre[1],
+        machine.overhead ? 3.4 : machine.ground + machine.height,
+        0,
+      );
     }
     return found;
   }
@@ -181,7 +205,11 @@ export class HallView {
       const points = motion.ahead(time);
       if (points.length === 0) continue;
       const strong = id === this.selected;
-      ways.push({ points, colour: colour(id) ?? this.theme.station, width: (strong ? 0.34 : 0.16) * this.layout.agentScale });
+      ways.push({
+        points,
+        colour: colour(id) ?? this.theme.station,
+        width: (strong ? 0.34 : 0.16) * this.layout.agentScale,
+      });
     }
     return ways;
   }
@@ -211,7 +239,20 @@ export class HallView {
     const labels =
       detail === 'none'
         ? []
-        : hallLabels({ run, layout, scene, goods: this.built!.goods, theme, time, camera: this.eye.camera, width, height, selected, taskColour, detail });
+        : hallLabels({
+            run,
+            layout,
+            scene,
+            goods: this.built!.goods,
+            theme,
+            time,
+            camera: this.eye.camera,
+            width,
+            height,
+            selected,
+            taskColour,
+            detail,
+          });
     this.writing.draw(labels, width, height, Math.min(2, window.devicePixelRatio), theme);
   }
 }

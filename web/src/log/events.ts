@@ -76,7 +76,19 @@ export type LogEvent =
   | (At & { event: 'milestone'; name: string })
   | (At & { event: 'end'; status: string; makespan: Tick | null; progress: number });
 
-type Rule = 'number' | 'string' | 'boolean' | 'object' | 'pose' | 'worker' | 'carrier' | 'station' | 'operation' | 'zone' | 'end' | 'berth';
+type Rule =
+  | 'number'
+  | 'string'
+  | 'boolean'
+  | 'object'
+  | 'pose'
+  | 'worker'
+  | 'carrier'
+  | 'station'
+  | 'operation'
+  | 'zone'
+  | 'end'
+  | 'berth';
 
 const RULES: Record<LogEvent['event'], Record<string, Rule>> = {
   decision: { n: 'number', task: 'string', crew: 'object' },

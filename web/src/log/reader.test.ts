@@ -2,7 +2,8 @@ import { describe, expect, it } from 'vitest';
 import { logText, runOf } from '../../tests/support';
 import { LogReader } from './reader';
 
-const HEADER = '{"format":"linewright/event_log/1","line":"small","workers":[{"id":"human.0","kind":"human","start":"here"}],"stations":{"here":{"human":[0,0,0]},"there":{"human":[4,3,0]}}}';
+const HEADER =
+  '{"format":"linewright/event_log/1","line":"small","workers":[{"id":"human.0","kind":"human","start":"here"}],"stations":{"here":{"human":[0,0,0]},"there":{"human":[4,3,0]}}}';
 const GO = '{"t":1,"event":"go","worker":"human.0","from":"here","to":"there","departs":1,"arrives":6,"metres":5}';
 const END = '{"t":9,"event":"end","status":"finished","makespan":9,"progress":1.0}';
 
@@ -32,7 +33,9 @@ describe('the reader of logs', () => {
   });
 
   it('says where a log is cut off, and shows what is there', () => {
-    expect(problemsOf(`${HEADER}\n${GO}\n`)).toEqual(['warning: The log is cut off after tick 1: the run is shown up to tick 1.']);
+    expect(problemsOf(`${HEADER}\n${GO}\n`)).toEqual([
+      'warning: The log is cut off after tick 1: the run is shown up to tick 1.',
+    ]);
     expect(problemsOf(`${HEADER}\n${GO}\n{"t":9,"ev`)[0]).toContain('cut off in the middle of a line');
     const text = logText('routed');
     const half = runOf(text.slice(0, text.length / 2));
@@ -46,7 +49,9 @@ describe('the reader of logs', () => {
     expect(problemsOf('\x89PNG\n\x1a\n')[0]).toMatch(/^error: This is not an event log/);
     expect(problemsOf('{"schema": "line/1"}\n')[0]).toMatch(/^error: This is not an event log/);
     expect(problemsOf('[]\n')[0]).toMatch(/^error: This is not an event log/);
-    expect(problemsOf('{"format":"linewright/event_log/7"}\n')[0]).toMatch(/^error: This log has version 7 .* reads version 1/);
+    expect(problemsOf('{"format":"linewright/event_log/7"}\n')[0]).toMatch(
+      /^error: This log has version 7 .* reads version 1/,
+    );
     expect(problemsOf('x'.repeat(9e6))[0]).toMatch(/^error: This is not an event log: it has no lines/);
   });
 
@@ -57,12 +62,24 @@ describe('the reader of logs', () => {
     ['no event', '{"t":3}', 'it has no "event"'],
     ['an unknown event', '{"t":3,"event":"dance"}', '"dance" is no event of this version'],
     ['a name of objects', '{"t":3,"event":"constructor"}', '"constructor" is no event of this version'],
-    ['an unknown worker', GO.replace('human.0', 'human.7'), '"worker" of go is "human.7", which the header does not name'],
+    [
+      'an unknown worker',
+      GO.replace('human.0', 'human.7'),
+      '"worker" of go is "human.7", which the header does not name',
+    ],
     ['a missing key', GO.replace('"arrives":6,', ''), '"arrives" of go is not a number'],
     ['time that runs backwards', GO.replace('"t":1', '"t":0'), 'time runs backwards'],
-    ['a broken path', GO.replace('"metres":5', '"metres":5,"path":[[1,2]]'), '"path" is not a list of [x, y, yaw, share]'],
+    [
+      'a broken path',
+      GO.replace('"metres":5', '"metres":5,"path":[[1,2]]'),
+      '"path" is not a list of [x, y, yaw, share]',
+    ],
     ['a broken crew', '{"t":3,"event":"decision","n":1,"task":"a","crew":{"human":"human.0"}}', '"crew" of decision'],
-    ['broken reasons', '{"t":3,"event":"decision","n":1,"task":"a","crew":{},"why":{"candidates":{"x":null}}}', '"why" of decision'],
+    [
+      'broken reasons',
+      '{"t":3,"event":"decision","n":1,"task":"a","crew":{},"why":{"candidates":{"x":null}}}',
+      '"why" of decision',
+    ],
   ])('leaves out a line with %s, and says which', (_what, line, reason) => {
     const [problem, ...others] = problemsOf(`${HEADER}\n${GO}\n${line}\n${END}\n`);
     expect(problem).toContain(`Line 3 is left out: ${reason}`);
@@ -77,7 +94,9 @@ describe('the reader of logs', () => {
 
   it('stops where a log is too large for a page, and shows what it has read', () => {
     const many = `${HEADER}\n${`${GO}\n`.repeat(40)}${END}\n`;
-    expect(problemsOf(many, { characters: 1e9, events: 10 })[0]).toMatch(/too large for a page .* 10 events .* up to tick 1/);
+    expect(problemsOf(many, { characters: 1e9, events: 10 })[0]).toMatch(
+      /too large for a page .* 10 events .* up to tick 1/,
+    );
     const reader = new LogReader({ characters: 1000, events: 1e9 });
     for (let at = 0; at < many.length; at += 100) reader.push(many.slice(at, at + 100));
     reader.finish();
@@ -86,7 +105,21 @@ describe('the reader of logs', () => {
   });
 
   it('survives a header in which everything has the wrong type', () => {
-    const keys = ['line', 'order', 'workers', 'carriers', 'stations', 'places', 'machines', 'operations', 'tasks', 'zones', 'hall', 'kinds', 'machine_areas'];
+    const keys = [
+      'line',
+      'order',
+      'workers',
+      'carriers',
+      'stations',
+      'places',
+      'machines',
+      'operations',
+      'tasks',
+      'zones',
+      'hall',
+      'kinds',
+      'machine_areas',
+    ];
     for (const value of [null, 3, 'text', [null, 1, 'a', [2]], { a: null, b: 1, c: { d: [] } }]) {
       const header = Object.fromEntries(keys.map((key) => [key, value]));
       const text = `${JSON.stringify({ ...header, format: 'linewright/event_log/1' })}\n${END}\n`;

@@ -25,8 +25,11 @@ describe('the comparison of two runs', () => {
   it('finds the first decision that differs', () => {
     const { a: one, b: other } = result.firstDifference!;
     expect(one!.n).toBe(other!.n);
-    expect(JSON.stringify([one!.t, one!.task, one!.crew])).not.toBe(JSON.stringify([other!.t, other!.task, other!.crew]));
-    for (let i = 0; i < one!.n - 1; ++i) expect(a.decisions[i]).toMatchObject({ t: b.decisions[i]!.t, task: b.decisions[i]!.task });
+    expect(JSON.stringify([one!.t, one!.task, one!.crew])).not.toBe(
+      JSON.stringify([other!.t, other!.task, other!.crew]),
+    );
+    for (let i = 0; i < one!.n - 1; ++i)
+      expect(a.decisions[i]).toMatchObject({ t: b.decisions[i]!.t, task: b.decisions[i]!.task });
   });
 
   it('finds none between equal runs', () => {

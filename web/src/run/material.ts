@@ -3,15 +3,14 @@
 
 import type { LogEvent, OperationEvent, TransferEvent } from '../log/events';
 import type { Header, OperationInfo, Tick } from '../log/header';
-import { StepSeries } from './series';
+import { firstAfter, StepSeries } from './series';
 
 export class Material {
   /** By place and by carrier. A berth's tokens are those of the carrier that stands in it. */
   readonly counts = new Map<string, StepSeries>();
-  /** By carrier: of what its items are, as far as is known. */
-  readonly loads = new Map<string, string>();
 
   private readonly of = new Map<string, string>();
+  private readonly loads = new Map<string, { ticks: Tick[]; of: string[] }>(); // by carrier
   private readonly berths = new Set<string>();
   private readonly standing = new Map<string, string>(); // berth to carrier
   private inHand: TransferEvent[] = []; // transfers that have not ended, in order of their ends
@@ -41,6 +40,20 @@ export class Material {
     return this.counts.get(name)?.at(time) ?? 0;
   }
 
+  /** Of what the items in a carrier are; they are all of one material. */
+  loadOf(carrier: string, time: number): string | undefined {
+    const load = this.loads.get(carrier);
+    return load?.of[firstAfter(load.ticks, time) - 1];
+  }
+
+  private load(carrier: string, t: Tick, material: string): void {
+    const load = this.loads.get(carrier) ?? { ticks: [], of: [] };
+    this.loads.set(carrier, load);
+    if (load.of[load.of.length - 1] === material) return;
+    load.ticks.push(t);
+    load.of.push(material);
+  }
+
   /** Items counted so far that have been put down by hand until `t`. */
   private passTo(t: Tick): void {
     if (t < this.counted) return;
@@ -56,7 +69,7 @@ export class Material {
     const at = this.inHand.findIndex((other) => other.until > event.until);
     this.inHand.splice(at < 0 ? this.inHand.length : at, 0, event);
     const material = this.of.get(event.from) ?? this.of.get(event.to);
-    for (const end of [event.from, event.to]) if (!this.of.has(end) && material) this.loads.set(end, material);
+    for (const end of [event.from, event.to]) if (!this.of.has(end) && material) this.load(end, event.t, material);
   }
 
   private flow(event: OperationEvent, sign: number): void {
@@ -70,7 +83,7 @@ export class Material {
     const carrier = this.standing.get(where);
     if (!carrier) return;
     this.counts.get(carrier)?.add(t, change);
-    this.loads.set(carrier, this.of.get(where) ?? 'item');
+    this.load(carrier, t, this.of.get(where) ?? 'item');
   }
 
   private enterBerth(t: Tick, berth: string, carrier: string): void {

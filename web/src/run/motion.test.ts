@@ -24,7 +24,9 @@ describe('motion', () => {
 
   it('passes every point of every path of a log at its share of the time', () => {
     const run = loadRun('routed');
-    const ways = logText('routed').split('\n').filter((line) => line.includes('"path"'));
+    const ways = logText('routed')
+      .split('\n')
+      .filter((line) => line.includes('"path"'));
     let checked = 0;
     for (const event of ways.map((line) => JSON.parse(line) as WayEvent)) {
       for (const [x, y, yaw, share] of event.path!) {
@@ -55,8 +57,23 @@ describe('motion', () => {
 
   it('shows the way ahead from where the worker is to the end', () => {
     const motion = new Motion(HERE, 'here');
-    motion.go(way(0, 0, 10, { path: [[0, 0, 0, 0], [8, 0, 0, 0.5], [8, 6, 1, 1]] }), HERE, THERE);
-    expect(motion.ahead(2).map(({ x, y }) => [x, y])).toEqual([[3.2, 0], [8, 0], [8, 6], [8, 6]]);
+    motion.go(
+      way(0, 0, 10, {
+        path: [
+          [0, 0, 0, 0],
+          [8, 0, 0, 0.5],
+          [8, 6, 1, 1],
+        ],
+      }),
+      HERE,
+      THERE,
+    );
+    expect(motion.ahead(2).map(({ x, y }) => [x, y])).toEqual([
+      [3.2, 0],
+      [8, 0],
+      [8, 6],
+      [8, 6],
+    ]);
     expect(motion.ahead(7).map(({ x, y }) => [x, y])[0]![0]).toBe(8);
     expect(motion.ahead(10)).toEqual([]);
   });

@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import { loadRun, logText, LOGS, RESULTS, runOf, type LogName } from '../../tests/support';
-import type { DecisionEvent, WayEvent } from '../log/events';
+import type { DecisionEvent, TransferEvent, WayEvent } from '../log/events';
 import { shares } from './diary';
 import type { Run } from './run';
 
@@ -79,6 +79,23 @@ describe('counts', () => {
     const run = loadRun(name);
     const checked = run.decisions.reduce((sum, decision) => sum + compareWithReasons(run, name, decision), 0);
     expect(checked).toBeGreaterThan(5);
+  });
+
+  it('of carriers are of the material that was put in last', () => {
+    const run = loadRun('routed');
+    const moved = events('routed').filter(
+      (e): e is TransferEvent => e.event === 'transfer' && 'to' in e && String(e.to).startsWith('cage'),
+    );
+    const materials = new Set<string>();
+    for (const { t, to, from } of moved) {
+      const material = run.header.places.find((place) => place.name === from)!.of;
+      expect(run.material.loadOf(to, t + 1)).toBe(material);
+      materials.add(material);
+    }
+    expect([...materials].sort()).toEqual(['bend', 'flange']);
+    const full = run.material.counts.get('outfeed_berth')!.ticks[1]!;
+    const cage = run.header.carriers.find(({ id }) => run.material.loadOf(id, full) === 'duct');
+    expect(cage).toBeDefined();
   });
 
   it('follow a carrier that stands in a berth', () => {

@@ -7,7 +7,7 @@ import { Diary, type Activity } from './diary';
 import { Machines } from './machines';
 import { Material, materials } from './material';
 import { Motion } from './motion';
-import { StepSeries } from './series';
+import { firstWhere, StepSeries } from './series';
 
 export interface Milestone {
   t: Tick;
@@ -23,6 +23,12 @@ export interface TaskRun {
   decision: DecisionEvent;
   until: Tick; // Infinity while it runs
   members: Set<string>; // workers
+}
+
+export interface OperationRun {
+  operation: string;
+  begin: Tick;
+  end: Tick;
 }
 
 const SOMEWHERE: Pose = { x: 0, y: 0, yaw: 0 };
@@ -45,6 +51,8 @@ export class Run {
   end: Ending | undefined;
   version = 0; // grows with every event
 
+  private readonly operations: OperationRun[] = []; // in order of their beginnings
+  private longest: Tick = 0; // of the operations
   private readonly kinds = new Map<string, string>();
   private activitiesAt = -1;
   private readonly kept = new Map<string, Activity[]>();
@@ -122,6 +130,13 @@ export class Run {
     return all;
   }
 
+  /** The operations that are under way. */
+  operationsAt(time: number): OperationRun[] {
+    const from = firstWhere(this.operations.length, (i) => this.operations[i]!.begin > time - this.longest);
+    const to = firstWhere(this.operations.length, (i) => this.operations[i]!.begin > time);
+    return this.operations.slice(from, to).filter(({ end }) => time < end);
+  }
+
   /** Items of the order that are finished. */
   finished(time: number): number {
     return this.header.order ? this.material.count(this.header.order.finishedIn, time) : 0;
@@ -176,6 +191,10 @@ export class Run {
   private operate(event: Extract<LogEvent, { event: 'operation_start' | 'operation_end' | 'recovery_end' }>): void {
     const diary = event.worker === undefined ? undefined : this.diaries.get(event.worker);
     this.machines.add(event, diary?.current?.n ?? 0);
+    if (event.event === 'operation_start' && event.until! > event.t) {
+      this.operations.push({ operation: event.operation, begin: event.t, end: event.until! });
+      this.longest = Math.max(this.longest, event.until! - event.t);
+    }
     if (event.event !== 'operation_start' || !diary) return;
     const { uses, claims } = this.header.operations.get(event.operation)!;
     this.see(event.worker!, [...uses, ...claims], event.t);

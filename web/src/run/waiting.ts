@@ -23,9 +23,7 @@ export function waitReasons(run: Run, worker: string, { n, begin, end, event }: 
 }
 
 function lastBusy(run: Run, worker: string, n: number, begin: Tick, end: Tick): Activity | undefined {
-  const during = run
-    .activities(worker)
-    .filter((a) => a.n === n && a.kind !== 'wait' && a.begin < end && a.end > begin);
+  const during = run.activities(worker).filter((a) => a.n === n && a.kind !== 'wait' && a.begin < end && a.end > begin);
   const last = during[during.length - 1];
   // Who is awaited is done when the waiting ends, or a tick before the next step.
   return last && (last.end <= end + 1 || end >= run.last) ? last : undefined;

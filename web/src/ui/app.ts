@@ -1,41 +1,36 @@
 // The page: which logs are shown, at which time, and what is selected.
 
 import type { DecisionEvent } from '../log/events';
-import type { CameraMode } from '../hall/camera';
-import type { LabelDetail } from '../hall/view';
 import { Clock } from './clock';
 import { appState, type AppState } from './state';
 import { Bar } from './bar';
-import { el } from './dom';
 import type { Picked } from './gantt';
 import { commandsOf } from './commands';
+import { acceptDrops, preferredTheme, whenThemeChanges } from './environment';
 import { helpDialog, listen } from './keys';
 import { Fineness, FrameMeter } from './meter';
 import { Messages } from './messages';
-import { Pane } from './pane';
+import type { Pane } from './pane';
+import { Panes } from './panes';
 import { SidePanel, type Selection } from './panel';
-import { fileSource, newLog, read, type LoadedLog, type Source } from './sources';
+import { Shelf } from './shelf';
+import { fileSource, type Source } from './sources';
 import { THEMES, type Theme, type ThemeName } from './theme';
 import { Transport } from './transport';
 
 export class App {
   readonly clock = new Clock();
-  readonly logs: LoadedLog[] = [];
+  readonly shelf = new Shelf();
   readonly meter = new FrameMeter();
   private readonly fineness = new Fineness();
-  panes: Pane[] = [];
+  readonly shownRuns: Panes;
   selection: Selection = { kind: 'none' };
-  labels: LabelDetail = 'all';
-  routes = false;
-  private shown: [number, number] = [0, -1]; // indices of the logs A and B; -1: none
   private theme: Theme;
   wished = false; // a frame is due
   shownAfterMs = NaN; // from opening the page until the first run was drawn
   private lastFrame = 0;
   private readonly bar: Bar;
   private readonly messages = new Messages();
-  private readonly halls = el('div', { class: 'halls' });
-  private readonly charts = el('div', { class: 'charts' });
   private readonly panel: SidePanel;
   private readonly transport: Transport;
   private readonly help: HTMLDialogElement;
@@ -43,6 +38,11 @@ export class App {
   constructor(private readonly root: HTMLElement) {
     this.theme = THEMES[preferredTheme()];
     document.documentElement.dataset.theme = this.theme.name;
+    this.shownRuns = new Panes(this.theme, {
+      seek: (time) => this.seek(time),
+      pick: (pane, what, time) => this.pick(pane, what, time),
+      redraw: () => this.redraw(),
+    });
     this.bar = new Bar({
       choose: (side, index) => this.choose(side, index),
       camera: (mode) => this.camera(mode),
@@ -61,7 +61,7 @@ export class App {
     this.transport = new Transport(this.clock, {
       toggle: () => this.toggle(),
       seek: (time) => this.seek(time),
-      speed: (speed) => this.setSpeed(speed),
+      redraw: () => this.redraw(),
       jump: (what, direction) => this.jump(what, direction),
       follow: () => this.followEnd(),
       zoom: (factor) => this.zoom(factor),
@@ -69,20 +69,23 @@ export class App {
     const commands = commandsOf(this);
     this.help = helpDialog(commands);
     listen(commands);
-    this.root.append(this.bar.element, this.messages.element, this.halls, this.panel.element, this.transport.element, this.charts, this.help);
-    new ResizeObserver(() => this.resize()).observe(this.halls);
-    this.acceptDrops();
+    this.root.append(
+      this.bar.element,
+      this.messages.element,
+      this.shownRuns.halls,
+      this.panel.element,
+      this.transport.element,
+      this.shownRuns.charts,
+      this.help,
+    );
+    new ResizeObserver(() => this.resize()).observe(this.shownRuns.halls);
+    acceptDrops((files) => this.open(files));
+    whenThemeChanges((theme) => this.setTheme(theme));
   }
 
   /** Reads logs and shows them; resolves when all that end by themselves have been read. */
-  async add(sources: Source[]): Promise<void> {
-    const fresh = sources.map((source) => ({ source, log: newLog(source) }));
-    const first = this.logs.length;
-    for (const { log } of fresh) this.logs.push(log);
-    if (first > 0) this.shown = fresh.length > 1 ? [first, first + 1] : [0, first];
-    else this.shown = [0, fresh.length > 1 ? 1 : -1];
-    this.update();
-    await Promise.all(fresh.map(({ source, log }) => read(source, log, () => this.update())));
+  add(sources: Source[]): Promise<void> {
+    return this.shelf.add(sources, () => this.update());
   }
 
   open(files: Iterable<File>): void {
@@ -106,8 +109,8 @@ export class App {
     return this.theme.name;
   }
 
-  get cameraMode(): CameraMode | 'none' {
-    return this.panes[0]?.hall?.eye.mode ?? 'none';
+  get panes(): Pane[] {
+    return this.shownRuns.all;
   }
 
   seek(time: number): void {
@@ -116,13 +119,9 @@ export class App {
   }
 
   toggle(): void {
-    if (this.clock.playing) this.clock.pause();
+    if (this.clock.following) this.clock.following = false;
+    else if (this.clock.playing) this.clock.pause();
     else this.clock.play();
-    this.redraw();
-  }
-
-  setSpeed(speed: number): void {
-    this.clock.speed = speed;
     this.redraw();
   }
 
@@ -140,14 +139,13 @@ export class App {
   }
 
   followEnd(): void {
-    const live = this.panes.some((pane) => this.logOf(pane)?.live);
     this.seek(this.clock.last);
-    this.clock.following = live;
+    if (this.live) this.clock.follow();
     this.redraw();
   }
 
   zoom(factor: number): void {
-    this.panes[0]?.gantt.zoom(factor, this.clock.time);
+    this.shownRuns.zoom(factor, this.clock.time);
     this.redraw();
   }
 
@@ -158,36 +156,35 @@ export class App {
       if (worker !== undefined) this.follow('side' in selection ? selection.side : 0, worker);
       return;
     }
-    for (const pane of this.panes) pane.hall?.eye.show(mode);
+    this.shownRuns.lookFrom(mode);
     this.redraw();
   }
 
   follow(side: number, worker: string): void {
-    for (const pane of this.panes) {
-      const motion = pane.run.motions.get(worker);
-      if (motion) pane.hall?.eye.follow(worker, motion.at(this.clock.time).pose);
-    }
+    this.shownRuns.follow(worker, this.clock.time);
     const pane = this.panes[side];
     if (pane && !('worker' in this.selection)) this.selectWorker(pane, side, worker);
     this.redraw();
   }
 
   cycleLabels(): void {
-    this.labels = this.labels === 'all' ? 'agents' : this.labels === 'agents' ? 'none' : 'all';
-    for (const pane of this.panes) pane.setLabels(this.labels);
+    this.shownRuns.cycleLabels();
     this.redraw();
   }
 
   toggleRoutes(): void {
-    this.routes = !this.routes;
-    for (const pane of this.panes) if (pane.hall) pane.hall.routes = this.routes;
+    this.shownRuns.toggleRoutes();
     this.redraw();
   }
 
   toggleTheme(): void {
-    this.theme = THEMES[this.theme.name === 'light' ? 'dark' : 'light'];
+    this.setTheme(this.theme.name === 'light' ? 'dark' : 'light');
+  }
+
+  private setTheme(name: ThemeName): void {
+    this.theme = THEMES[name];
     document.documentElement.dataset.theme = this.theme.name;
-    for (const pane of this.panes) pane.setTheme(this.theme);
+    this.shownRuns.setTheme(this.theme);
     this.refresh();
   }
 
@@ -203,11 +200,7 @@ export class App {
 
   select(selection: Selection): void {
     this.selection = selection;
-    const side = 'side' in selection ? selection.side : -1;
-    this.panes.forEach((pane, index) => {
-      const name = index !== side ? undefined : 'worker' in selection ? selection.worker : 'machine' in selection ? selection.machine : undefined;
-      pane.select(name, index === side && 'n' in selection ? selection.n : 0);
-    });
+    this.shownRuns.select(selection);
     this.refresh();
   }
 
@@ -236,8 +229,9 @@ export class App {
     requestAnimationFrame((now) => this.frame(now));
   }
 
-  logOf(pane: Pane): LoadedLog | undefined {
-    return this.logs.find((log) => log.run === pane.run);
+  /** A run that is shown still goes on. */
+  private get live(): boolean {
+    return this.shownRuns.runs.some((run) => this.shelf.isLive(run));
   }
 
   /** A worker in the hall: the task it has now, else the worker itself. */
@@ -255,64 +249,32 @@ export class App {
   }
 
   private choose(side: 0 | 1, index: number): void {
-    this.shown[side] = index;
+    this.shelf.chosen[side] = index;
     this.update();
   }
 
   /** Something was read or chosen. */
   private update(): void {
-    const wanted = [...new Set(this.shown)].flatMap((index) => this.logs[index]?.run ?? []);
-    const ready = wanted.filter((run) => {
-      const log = this.logs.find((candidate) => candidate.run === run)!;
-      return log.live || !log.reading;
-    });
-    if (ready.length !== this.panes.length || ready.some((run, i) => this.panes[i]?.run !== run)) this.rebuild(ready);
+    const ready = this.shelf.ready();
+    if (!this.shownRuns.has(ready)) this.rebuild(ready);
     this.clock.grow(Math.max(0, ...this.panes.map((pane) => pane.run.last)));
-    for (const pane of this.panes) {
-      pane.gantt.setLength(this.clock.last);
-      pane.changed();
-    }
-    this.bar.draw(this.logs, this.shown);
-    this.messages.draw(this.logs);
-    if (!this.logs.some((log) => log.run || log.reading)) this.invite('Choose other files, or drop them anywhere on this page.');
+    this.shownRuns.grow(this.clock.last);
+    this.bar.draw(this.shelf.logs, this.shelf.chosen);
+    this.messages.draw(this.shelf.logs);
+    if (this.shelf.hopeless) this.invite('Choose other files, or drop them anywhere on this page.');
     this.refresh();
   }
 
   private rebuild(runs: Pane['run'][]): void {
-    for (const pane of this.panes) pane.dispose();
     this.selection = { kind: 'none' };
-    const two = runs.length > 1;
-    this.root.classList.toggle('two', two);
-    this.panes = runs.map((run, i) => {
-      return new Pane(run, two ? (i === 0 ? 'A' : 'B') : '', this.theme, {
-        seek: (time) => this.seek(time),
-        pick: (pane, what, time) => this.pick(pane, what, time),
-        zoomed: (pane) => this.zoomed(pane),
-        redraw: () => this.redraw(),
-      });
-    });
-    this.halls.append(...this.panes.map((pane) => pane.hallBox));
-    this.charts.append(...this.panes.map((pane) => pane.gantt.element));
+    this.shownRuns.show(runs);
+    this.root.classList.toggle('two', runs.length > 1);
     this.root.classList.toggle('empty', runs.length === 0);
-    for (const pane of this.panes) {
-      pane.mount(this.theme);
-      pane.setLabels(this.labels);
-      if (pane.hall) pane.hall.routes = this.routes;
-    }
+    this.shownRuns.mount();
     this.clock.tickSeconds = Math.max(0.001, runs[0]?.header.tickSeconds ?? 1);
     this.clock.grow(Math.max(0, ...runs.map((run) => run.last)));
-    if (this.panes.some((pane) => this.logOf(pane)?.live)) this.clock.following = true;
+    if (this.live) this.clock.follow();
     this.clock.time = Math.min(this.clock.time, this.clock.last);
-  }
-
-  private zoomed(source: Pane): void {
-    const window = source.gantt.shown;
-    const all = window[0] <= 0 && window[1] >= this.clock.last;
-    for (const pane of this.panes) {
-      pane.gantt.show(all ? undefined : window);
-      pane.changed();
-    }
-    this.redraw();
   }
 
   /** Everything may look different. */
@@ -322,7 +284,7 @@ export class App {
   }
 
   private resize(): void {
-    for (const pane of this.panes) pane.resize();
+    this.shownRuns.resize();
     this.redraw();
   }
 
@@ -330,29 +292,19 @@ export class App {
     this.wished = false;
     const { clock } = this;
     const passed = this.lastFrame > 0 ? now - this.lastFrame : 0;
-    if (clock.playing && passed > 0) {
+    if (clock.moving && passed > 0) {
       clock.advance(Math.min(250, passed));
       this.fineness.took(passed);
     }
-    const scale = clock.playing ? this.fineness.scale : 1;
-    this.lastFrame = clock.playing ? now : 0;
-    for (const pane of this.panes) pane.draw(clock.time, scale);
-    this.transport.draw(this.panes.some((pane) => this.logOf(pane)?.live));
-    this.panel.draw(this.panes.map((pane) => pane.run), this.selection, clock.time, this.theme);
+    const { moving } = clock;
+    this.lastFrame = moving ? now : 0;
+    const scale = moving ? this.fineness.scale : 1;
+    this.shownRuns.draw(clock.time, scale);
+    if (!moving && !this.live) clock.following = false; // the run has ended, and all of it was shown
+    this.transport.draw(this.live);
+    this.panel.draw(this.shownRuns.runs, this.selection, clock.time, this.theme);
     if (this.panes.length > 0 && Number.isNaN(this.shownAfterMs)) this.shownAfterMs = performance.now();
-    this.meter.count(now, clock.playing);
-    if (clock.playing) this.redraw();
+    this.meter.count(now, moving);
+    if (moving) this.redraw();
   }
-
-  private acceptDrops(): void {
-    document.addEventListener('dragover', (event) => event.preventDefault());
-    document.addEventListener('drop', (event) => {
-      event.preventDefault();
-      if (event.dataTransfer?.files.length) this.open(event.dataTransfer.files);
-    });
-  }
-}
-
-function preferredTheme(): ThemeName {
-  return window.matchMedia('(prefers-color-scheme: dark)').matches ? 'dark' : 'light';
 }

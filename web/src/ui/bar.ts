@@ -59,7 +59,10 @@ export class Bar {
     this.choices.replaceChildren();
     if (logs.length < 2) return;
     for (const side of [0, 1] as const) {
-      const select = el('select', { label: side === 0 ? 'log A' : 'log B', title: side === 0 ? 'The log A' : 'The log B, for comparison' });
+      const select = el('select', {
+        label: side === 0 ? 'log A' : 'log B',
+        title: side === 0 ? 'The log A' : 'The log B, for comparison',
+      });
       if (side === 1) select.append(new Option('no comparison', '-1'));
       logs.forEach((log, i) => select.append(new Option(`${side === 0 ? 'A' : 'B'}: ${log.name}`, String(i))));
       select.value = String(selected[side]);

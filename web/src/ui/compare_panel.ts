@@ -27,7 +27,11 @@ export function comparison(a: Run, b: Run, theme: Theme, events: CompareEvents):
     el('h4', {}, 'First decision that differs'),
     first(result.firstDifference, [a, b], theme, events),
     el('h4', {}, 'What the agents did, in ticks'),
-    el('p', { class: 'hint' }, 'Per agent: A, B, and B minus A. Of an agent the differences add up to the difference of the runs.'),
+    el(
+      'p',
+      { class: 'hint' },
+      'Per agent: A, B, and B minus A. Of an agent the differences add up to the difference of the runs.',
+    ),
     agents(result.agents, theme),
     el('h4', {}, 'Machines that differ most, busy ticks'),
     machines(result.machines.slice(0, 6)),
@@ -49,7 +53,14 @@ function first(
       'li',
       {},
       swatch(taskColour(runs[side]!, decision.task, theme)),
-      el('div', {}, `${letter}: tick ${decision.t}, `, el('b', {}, shown(decision.task)), el('br'), el('span', { class: 'muted' }, crew)),
+      el(
+        'div',
+        {},
+        `${letter}: tick ${decision.t}, `,
+        el('b', {}, shown(decision.task)),
+        el('br'),
+        el('span', { class: 'muted' }, crew),
+      ),
       button('Why?', `Show this decision of ${letter}`, () => events.showDecision(side as 0 | 1, decision)),
     );
   });
@@ -67,7 +78,12 @@ function agents(all: AgentDifference[], theme: Theme): HTMLElement {
   const rows = all.slice(0, MOST_ROWS).map(({ worker, a, b }) => {
     const cells = SHARE_KINDS.map((kind) => {
       if (!a || !b) return el('td', {}, String((a ?? b)![kind]), el('small', {}, a ? 'only A' : 'only B'));
-      return el('td', {}, `${a[kind]}, ${b[kind]}`, difference(b[kind] - a[kind], kind === 'work' || kind === 'idle', theme));
+      return el(
+        'td',
+        {},
+        `${a[kind]}, ${b[kind]}`,
+        difference(b[kind] - a[kind], kind === 'work' || kind === 'idle', theme),
+      );
     });
     return el('tr', {}, el('th', {}, worker), ...cells);
   });
@@ -83,7 +99,14 @@ function difference(ticks: number, neutral: boolean, theme: Theme): HTMLElement 
 function machines(all: { machine: string; a: number; b: number }[]): HTMLElement {
   const head = el('tr', {}, ...['machine', 'A', 'B', 'B − A'].map((text) => el('th', {}, text)));
   const rows = all.map(({ machine, a, b }) =>
-    el('tr', {}, el('th', {}, shown(machine)), el('td', {}, String(a)), el('td', {}, String(b)), el('td', {}, signed(b - a))),
+    el(
+      'tr',
+      {},
+      el('th', {}, shown(machine)),
+      el('td', {}, String(a)),
+      el('td', {}, String(b)),
+      el('td', {}, signed(b - a)),
+    ),
   );
   return el('table', { class: 'numbers' }, el('thead', {}, head), el('tbody', {}, ...rows));
 }

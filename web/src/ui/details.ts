@@ -68,42 +68,73 @@ export function decisionDetails(run: Run, decision: DecisionEvent, theme: Theme,
     ),
   ];
   if (!account.explained) {
-    parts.push(el('p', { class: 'hint' }, 'This log gives no reasons. Write it with linewright simulate … --explain to see what else could have been chosen, and why not.'));
+    parts.push(
+      el(
+        'p',
+        { class: 'hint' },
+        'This log gives no reasons. Write it with linewright simulate … --explain to see what else could have been chosen, and why not.',
+      ),
+    );
   }
   if (account.alternatives.length > 0) {
     parts.push(el('h4', {}, 'What could be chosen'));
     const rows = account.alternatives.map((a) =>
-      el('tr', { class: a.chosen ? 'chosen' : '' }, el('td', {}, a.chosen ? '▶' : ''), el('td', {}, a.task), el('td', {}, `${a.text}${a.best ? ' (earliest)' : ''}`)),
+      el(
+        'tr',
+        { class: a.chosen ? 'chosen' : '' },
+        el('td', {}, a.chosen ? '▶' : ''),
+        el('td', {}, a.task),
+        el('td', {}, `${a.text}${a.best ? ' (earliest)' : ''}`),
+      ),
     );
     parts.push(el('table', { class: 'plain' }, el('tbody', {}, ...rows)));
-    parts.push(el('p', { class: 'hint' }, 'The ticks say when the run would end if the rule “first” went on from there.'));
+    parts.push(
+      el('p', { class: 'hint' }, 'The ticks say when the run would end if the rule “first” went on from there.'),
+    );
   }
   for (const { role, neededAt, rows } of account.candidates) {
     parts.push(el('h4', {}, `Who could be ${shown(role)}: ${neededAt}`));
     const lines = rows.map((row) =>
-      el('tr', { class: row.chosen ? 'chosen' : '' }, el('td', {}, row.chosen ? '▶' : ''), el('td', {}, row.worker), el('td', {}, row.text)),
+      el(
+        'tr',
+        { class: row.chosen ? 'chosen' : '' },
+        el('td', {}, row.chosen ? '▶' : ''),
+        el('td', {}, row.worker),
+        el('td', {}, row.text),
+      ),
     );
     parts.push(el('table', { class: 'plain' }, el('tbody', {}, ...lines)));
   }
   if (account.impossible.length > 0) {
     parts.push(el('h4', {}, 'What could not, and why'));
-    const rows = account.impossible.map(({ task, reason }) => el('tr', {}, el('td', {}), el('td', {}, task), el('td', {}, reason)));
+    const rows = account.impossible.map(({ task, reason }) =>
+      el('tr', {}, el('td', {}), el('td', {}, task), el('td', {}, reason)),
+    );
     parts.push(el('table', { class: 'plain' }, el('tbody', {}, ...rows)));
   }
   return el('div', { class: 'details', data: { kind: 'decision' } }, ...parts);
 }
 
-export function machineDetails(run: Run, machine: string, interval: MachineInterval | undefined, theme: Theme, events: DetailEvents): HTMLElement {
+export function machineDetails(
+  run: Run,
+  machine: string,
+  interval: MachineInterval | undefined,
+  theme: Theme,
+  events: DetailEvents,
+): HTMLElement {
   const lines = interval ? describeMachine(run, machine, interval) : [`${shown(machine)} is free.`];
   const sums = { working: 0, held: 0, recovering: 0 };
-  for (const { state, begin, end } of run.machines.intervals.get(machine) ?? []) sums[state] += Math.min(end, run.last) - begin;
+  for (const { state, begin, end } of run.machines.intervals.get(machine) ?? [])
+    sums[state] += Math.min(end, run.last) - begin;
   const share = (ticks: number): string => `${ticks} ticks (${Math.round((ticks / Math.max(1, run.last)) * 100)} %)`;
   return el(
     'div',
     { class: 'details', data: { kind: 'machine' } },
     heading(interval ? theme[interval.state] : theme.machine, shown(machine), 'machine'),
     ...lines.map((line) => el('p', {}, line)),
-    interval ? buttons(button('Go there', `Go to tick ${interval.begin}`, () => events.seek(interval.begin))) : undefined,
+    interval
+      ? buttons(button('Go there', `Go to tick ${interval.begin}`, () => events.seek(interval.begin)))
+      : undefined,
     el('h4', {}, 'In the whole run'),
     facts([
       ['working', share(sums.working)],

@@ -44,7 +44,12 @@ export class Gantt {
   ) {
     this.colours = new TaskColours(run.header);
     this.scroller = el('div', { class: 'scroller' }, this.canvas, this.spacer);
-    this.element = el('div', { class: 'gantt', role: 'img', label: 'Gantt chart: who does what, when' }, this.scroller, this.playhead);
+    this.element = el(
+      'div',
+      { class: 'gantt', role: 'img', label: 'Gantt chart: who does what, when' },
+      this.scroller,
+      this.playhead,
+    );
     this.scroller.addEventListener('scroll', () => this.draw());
     this.canvas.addEventListener('pointerdown', (event) => this.press(event));
     this.canvas.addEventListener('pointermove', (event) => this.move(event));
@@ -211,7 +216,11 @@ export class Gantt {
       return binding ? { kind: 'task', worker: row.name, n: binding.n } : { kind: 'worker', worker: row.name };
     }
     if (row?.kind === 'machine') {
-      return { kind: 'machine', machine: row.name, interval: x < left ? undefined : this.run.machines.at(row.name, time) };
+      return {
+        kind: 'machine',
+        machine: row.name,
+        interval: x < left ? undefined : this.run.machines.at(row.name, time),
+      };
     }
     return { kind: 'time' };
   }

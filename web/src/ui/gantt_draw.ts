@@ -62,7 +62,8 @@ export function drawGrid(frame: Frame): void {
   const { context, theme, left, width, height } = frame;
   const step = niceStep(((frame.to - frame.from) * 70) / Math.max(1, width - left));
   context.fillStyle = theme.line;
-  for (let t = Math.ceil(frame.from / step) * step; t <= frame.to; t += step) context.fillRect(xOf(frame, t), HEAD_PX, 1, height);
+  for (let t = Math.ceil(frame.from / step) * step; t <= frame.to; t += step)
+    context.fillRect(xOf(frame, t), HEAD_PX, 1, height);
 }
 
 /** A letter where it fits beside the one before; a stroke for the others. */
@@ -133,7 +134,11 @@ function drawWorker(frame: Frame, row: Row, y: number): void {
   const { run, context, theme, colours } = frame;
   const [top, tall] = [y + 2.5, row.height - 5];
   const all = run.activities(row.name);
-  for (let i = firstWhere(all.length, (k) => all[k]!.end > frame.from); i < all.length && all[i]!.begin < frame.to; ++i) {
+  for (
+    let i = firstWhere(all.length, (k) => all[k]!.end > frame.from);
+    i < all.length && all[i]!.begin < frame.to;
+    ++i
+  ) {
     const { begin, end, kind, n } = all[i]!;
     const [x, wide] = [xOf(frame, begin), Math.max(0.6, xOf(frame, end) - xOf(frame, begin))];
     const task = run.tasks.get(n)?.decision.task;
@@ -169,12 +174,19 @@ function visible({ left, width }: Frame, bar: Bar): Bar {
 }
 
 /** The frame of a task; variants of a task differ in their lower edge: one line, two, three. */
-function outline({ context, theme }: Frame, { x, y, width, height }: Bar, colour: string, variant: number, selected: boolean): void {
+function outline(
+  { context, theme }: Frame,
+  { x, y, width, height }: Bar,
+  colour: string,
+  variant: number,
+  selected: boolean,
+): void {
   context.strokeStyle = selected ? theme.ink : colour;
   context.lineWidth = selected ? 2.2 : 1;
   context.strokeRect(x + 0.5, y, Math.max(1, width - 1), height);
   context.fillStyle = theme.ink;
-  for (let i = 0; i < Math.min(3, variant); ++i) context.fillRect(x + 2, y + height - 1.5 - i * 3, Math.max(0, width - 4), 1.2);
+  for (let i = 0; i < Math.min(3, variant); ++i)
+    context.fillRect(x + 2, y + height - 1.5 - i * 3, Math.max(0, width - 4), 1.2);
 }
 
 function caption({ context, theme }: Frame, { x, y, width, height }: Bar, text: string, ink: string): void {
@@ -195,7 +207,11 @@ function drawMachine(frame: Frame, row: Row, y: number): void {
   const { run, context, theme, colours } = frame;
   const all = run.machines.intervals.get(row.name) ?? [];
   const [top, tall] = [y + 1.5, row.height - 3];
-  for (let i = firstWhere(all.length, (k) => all[k]!.end > frame.from); i < all.length && all[i]!.begin < frame.to; ++i) {
+  for (
+    let i = firstWhere(all.length, (k) => all[k]!.end > frame.from);
+    i < all.length && all[i]!.begin < frame.to;
+    ++i
+  ) {
     const { begin, end, state, n, operation } = all[i]!;
     const [x, wide] = [xOf(frame, begin), Math.max(0.8, xOf(frame, Math.min(end, run.last)) - xOf(frame, begin))];
     const task = n > 0 ? run.tasks.get(n)?.decision.task : undefined;
@@ -246,7 +262,8 @@ function drawLevel(frame: Frame, row: Row, y: number): void {
 
 function* changes(series: StepSeries, from: number, to: number): Generator<[number, number]> {
   const { ticks, values } = series;
-  for (let i = firstWhere(ticks.length, (k) => ticks[k]! > from); i < ticks.length && ticks[i]! <= to; ++i) yield [ticks[i]!, values[i]!];
+  for (let i = firstWhere(ticks.length, (k) => ticks[k]! > from); i < ticks.length && ticks[i]! <= to; ++i)
+    yield [ticks[i]!, values[i]!];
 }
 
 function fitted(context: CanvasRenderingContext2D, text: string, width: number): string {

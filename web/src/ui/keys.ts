@@ -13,7 +13,8 @@ export function listen(commands: Command[]): void {
   document.addEventListener('keydown', (event) => {
     if (event.ctrlKey || event.metaKey || event.altKey) return;
     const target = event.target as HTMLElement;
-    const typing = target instanceof HTMLSelectElement || (target instanceof HTMLInputElement && target.type !== 'range');
+    const typing =
+      target instanceof HTMLSelectElement || (target instanceof HTMLInputElement && target.type !== 'range');
     if (typing && event.key !== 'Escape') return;
     if (document.querySelector('dialog[open]') && !['Escape', '?', 'h'].includes(event.key)) return;
     const key = `${event.shiftKey && event.key.length > 1 ? 'shift+' : ''}${event.key}`;

@@ -1,6 +1,6 @@
 // One run on the page: its hall and its Gantt chart.
 
-import { HallView, type LabelDetail } from '../hall/view';
+import { HallView } from '../hall/view';
 import type { Run } from '../run/run';
 import { el } from './dom';
 import { Gantt, type GanttEvents, type Picked } from './gantt';
@@ -43,7 +43,8 @@ export class Pane {
     try {
       this.hall = new HallView(stage, this.run, theme, () => this.events.redraw());
     } catch {
-      const text = 'This browser cannot draw in 3D (it has no WebGL). The Gantt chart and all explanations work without it.';
+      const text =
+        'This browser cannot draw in 3D (it has no WebGL). The Gantt chart and all explanations work without it.';
       stage.append(el('p', { class: 'no-hall' }, text));
     }
   }
@@ -52,10 +53,6 @@ export class Pane {
     this.hall?.setTheme(theme);
     this.gantt.setTheme(theme);
     this.ganttDirty = true;
-  }
-
-  setLabels(detail: LabelDetail): void {
-    if (this.hall) this.hall.labels = detail;
   }
 
   /** `n` is a decision whose task is marked in the Gantt chart; 0: none. */
@@ -115,6 +112,10 @@ export class Pane {
 
 export function ending(run: Run): string {
   if (!run.end) return 'cut off';
-  const words: Record<string, string> = { finished: 'finished', deadlock: 'deadlock: nothing can go on', horizon: 'out of time' };
+  const words: Record<string, string> = {
+    finished: 'finished',
+    deadlock: 'deadlock: nothing can go on',
+    horizon: 'out of time',
+  };
   return `${words[run.end.status] ?? run.end.status} at ${run.end.t}`;
 }

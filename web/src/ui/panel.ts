@@ -50,7 +50,9 @@ export class SidePanel {
     }
     if (this.nowBox && this.element.dataset.tick !== String(tick)) {
       this.element.dataset.tick = String(tick);
-      const boxes = runs.map((run, side) => agentsNow(run, Math.min(tick, run.last), theme, (worker) => this.events.pick(side, { kind: 'worker', worker })));
+      const boxes = runs.map((run, side) =>
+        agentsNow(run, Math.min(tick, run.last), theme, (worker) => this.events.pick(side, { kind: 'worker', worker })),
+      );
       this.nowBox.replaceChildren(...(boxes.length === 1 ? boxes : []));
     }
   }
@@ -69,7 +71,8 @@ export class SidePanel {
     if (a && b) {
       const events = {
         seek: this.events.seek,
-        showDecision: (side: 0 | 1, decision: Run['decisions'][number]) => this.events.pick(side, { kind: 'decision', decision }),
+        showDecision: (side: 0 | 1, decision: Run['decisions'][number]) =>
+          this.events.pick(side, { kind: 'decision', decision }),
       };
       return [comparison(a, b, theme, events), legend(a, theme)];
     }
@@ -103,7 +106,12 @@ function workerDetails(run: Run, worker: string, theme: Theme, events: DetailEve
     el(
       'li',
       { class: 'step' },
-      button(`${since}–${Number.isFinite(until) ? until : '…'}`, `Go to tick ${since}`, () => events.seek(since), 'tick'),
+      button(
+        `${since}–${Number.isFinite(until) ? until : '…'}`,
+        `Go to tick ${since}`,
+        () => events.seek(since),
+        'tick',
+      ),
       button(shown(run.tasks.get(n)?.decision.task ?? ''), 'Show this task', () => events.showTask(worker, n), 'link'),
     ),
   );
@@ -111,7 +119,11 @@ function workerDetails(run: Run, worker: string, theme: Theme, events: DetailEve
     'div',
     { class: 'details', data: { kind: 'worker' } },
     heading(theme.wait, worker, shown(run.kindOf(worker))),
-    el('div', { class: 'buttons' }, button('Follow', `Follow ${worker} through the hall`, () => events.follow(worker))),
+    el(
+      'div',
+      { class: 'buttons' },
+      button('Follow', `Follow ${worker} through the hall`, () => events.follow(worker)),
+    ),
     el('h4', {}, 'Its tasks'),
     el('ol', { class: 'steps' }, ...tasks),
   );

@@ -25,7 +25,13 @@ export interface AppState {
   labels: string;
   routes: boolean;
   selection: object;
-  logs: { name: string; live: boolean; reading: boolean; shown: boolean; problems: { severity: string; text: string }[] }[];
+  logs: {
+    name: string;
+    live: boolean;
+    reading: boolean;
+    shown: boolean;
+    problems: { severity: string; text: string }[];
+  }[];
   runs: {
     name: string;
     end: object | null;
@@ -37,7 +43,8 @@ export interface AppState {
 }
 
 export function appState(app: App): AppState {
-  const { clock, logs, panes } = app;
+  const { clock, panes } = app;
+  const { logs } = app.shelf;
   return {
     ready: logs.every((log) => !log.reading || log.live) && (clock.playing || !app.wished),
     time: clock.time,
@@ -46,18 +53,31 @@ export function appState(app: App): AppState {
     speed: clock.speed,
     following: clock.following,
     theme: app.themeName,
-    camera: app.cameraMode,
-    labels: app.labels,
-    routes: app.routes,
+    camera: app.shownRuns.camera,
+    labels: app.shownRuns.labels,
+    routes: app.shownRuns.routes,
     selection: { ...app.selection },
-    logs: logs.map(({ name, live, reading, problems, run }) => ({ name, live, reading, shown: panes.some((pane) => pane.run === run), problems })),
+    logs: logs.map(({ name, live, reading, problems, run }) => ({
+      name,
+      live,
+      reading,
+      shown: panes.some((pane) => pane.run === run),
+      problems,
+    })),
     runs: panes.map((pane) => runState(pane, clock.time)),
   };
 }
 
 function runState({ run, hall }: App['panes'][number], clockTime: number): AppState['runs'][number] {
   const time = Math.min(clockTime, run.last);
-  const state: AppState['runs'][number] = { name: run.name, end: run.end ?? null, agents: {}, carriers: {}, places: {}, machines: {} };
+  const state: AppState['runs'][number] = {
+    name: run.name,
+    end: run.end ?? null,
+    agents: {},
+    carriers: {},
+    places: {},
+    machines: {},
+  };
   for (const [id, motion] of run.motions) {
     const { pose, moving, station } = motion.at(time);
     const binding = run.diaries.get(id)!.bindings.find(({ since, until }) => since <= time && time < until);
@@ -71,7 +91,12 @@ function runState({ run, hall }: App['panes'][number], clockTime: number): AppSt
   for (const { name } of run.header.places) state.places[name] = run.material.count(name, time);
   for (const { name, centre } of hall?.layout.machines ?? []) {
     const interval = run.machines.at(name, time);
-    state.machines[name] = { x: centre[0], y: centre[1], state: interval?.state ?? 'free', operation: interval?.operation ?? null };
+    state.machines[name] = {
+      x: centre[0],
+      y: centre[1],
+      state: interval?.state ?? 'free',
+      operation: interval?.operation ?? null,
+    };
   }
   return state;
 }

@@ -34,7 +34,20 @@ export interface Theme {
 
 const LIGHT: Theme = {
   name: 'light',
-  tasks: ['#E69F00', '#56B4E9', '#009E73', '#CC79A7', '#0072B2', '#D55E00', '#F0E442', '#8F5BE8', '#6B2A0B', '#AACCAA', '#1B2F80', '#7A5C5C'],
+  tasks: [
+    '#E69F00',
+    '#56B4E9',
+    '#009E73',
+    '#CC79A7',
+    '#0072B2',
+    '#D55E00',
+    '#F0E442',
+    '#8F5BE8',
+    '#6B2A0B',
+    '#AACCAA',
+    '#1B2F80',
+    '#7A5C5C',
+  ],
   kinds: ['#D55E00', '#0072B2', '#8F5BE8', '#6B2A0B'],
   materials: ['#E69F00', '#56B4E9', '#009E73', '#CC79A7', '#F0E442', '#8F5BE8', '#D55E00', '#1B2F80'],
   background: '#dfe5ea',
@@ -63,7 +76,20 @@ const LIGHT: Theme = {
 
 const DARK: Theme = {
   name: 'dark',
-  tasks: ['#E69F00', '#56B4E9', '#009E73', '#CC79A7', '#0B7FC4', '#D55E00', '#F0E442', '#A276F2', '#9A5230', '#B4D6B4', '#4659CC', '#8C7272'],
+  tasks: [
+    '#E69F00',
+    '#56B4E9',
+    '#009E73',
+    '#CC79A7',
+    '#0B7FC4',
+    '#D55E00',
+    '#F0E442',
+    '#A276F2',
+    '#9A5230',
+    '#B4D6B4',
+    '#4659CC',
+    '#8C7272',
+  ],
   kinds: ['#F0742E', '#3A96DB', '#A276F2', '#B98A62'],
   materials: ['#E69F00', '#56B4E9', '#1FB58A', '#DD95BD', '#F0E442', '#A276F2', '#F0742E', '#6F80E8'],
   background: '#0c0f13',

@@ -6,7 +6,7 @@ import { button, el } from './dom';
 export interface TransportEvents {
   toggle: () => void;
   seek: (time: number) => void;
-  speed: (speed: number) => void;
+  redraw: () => void;
   jump: (what: 'decision' | 'event', direction: 1 | -1) => void;
   follow: () => void;
   zoom: (factor: number) => void;
@@ -15,7 +15,12 @@ export interface TransportEvents {
 export class Transport {
   readonly element: HTMLElement;
   private readonly play: HTMLButtonElement;
-  private readonly slider = el('input', { type: 'range', label: 'time', title: 'Time: drag to any tick', class: 'slider' });
+  private readonly slider = el('input', {
+    type: 'range',
+    label: 'time',
+    title: 'Time: drag to any tick',
+    class: 'slider',
+  });
   private readonly readout = el('output', { class: 'readout', label: 'tick' });
   private readonly speed = el('select', { label: 'speed', title: 'Speed, times real time' });
   private readonly live: HTMLButtonElement;
@@ -27,7 +32,10 @@ export class Transport {
     this.play = button('▶', 'Play or pause (space)', events.toggle, 'play');
     this.live = button('● live', 'Follow the running simulation (end)', events.follow, 'live');
     for (const speed of SPEEDS) this.speed.append(new Option(`${speed}×`, String(speed)));
-    this.speed.addEventListener('change', () => events.speed(Number(this.speed.value)));
+    this.speed.addEventListener('change', () => {
+      clock.speed = Number(this.speed.value);
+      events.redraw();
+    });
     this.slider.step = 'any';
     this.slider.addEventListener('input', () => events.seek(Number(this.slider.value)));
     this.element = el(

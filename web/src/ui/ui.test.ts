@@ -31,9 +31,14 @@ describe('the clock', () => {
 
   it('follows a run that grows until the user seeks', () => {
     const it_ = clock();
-    it_.following = true;
+    it_.follow();
     it_.grow(150);
-    expect(it_.time).toBe(150);
+    expect(it_.moving).toBe(true);
+    it_.advance(100);
+    expect(it_.time).toBeGreaterThan(105);
+    expect(it_.time).toBeLessThan(150);
+    for (let i = 0; i < 100; ++i) it_.advance(100);
+    expect([it_.time, it_.moving]).toEqual([150, false]);
     it_.seek(20);
     it_.grow(200);
     expect(it_.time).toBe(20);
