@@ -174,9 +174,13 @@ function isWhy(value: unknown): boolean {
   const { alternatives = [], not_selectable = {}, candidates = {} } = value;
   const tasks = Array.isArray(alternatives) && alternatives.every((a) => isObject(a) && typeof a.task === 'string');
   const reasons = isObject(not_selectable) && Object.values(not_selectable).every((r) => typeof r === 'string');
-  const ways = isObject(candidates) && Object.values(candidates).every((role) => isObject(role) && areFree(role.free));
+  const ways =
+    isObject(candidates) &&
+    Object.values(candidates).every((role) => isObject(role) && textOrNone(role.needed_at) && areFree(role.free));
   return tasks && reasons && ways;
 }
+
+const textOrNone = (value: unknown): boolean => value === undefined || typeof value === 'string';
 
 function areFree(value: unknown): boolean {
   const numberOrNone = (entry: unknown): boolean => entry === undefined || entry === null || Number.isFinite(entry);

@@ -76,6 +76,11 @@ describe('the reader of logs', () => {
     ],
     ['a broken crew', '{"t":3,"event":"decision","n":1,"task":"a","crew":{"human":"human.0"}}', '"crew" of decision'],
     [
+      'a number for a station in its reasons',
+      '{"t":3,"event":"decision","n":1,"task":"a","crew":{},"why":{"candidates":{"x":{"free":[],"needed_at":7}}}}',
+      '"why" of decision',
+    ],
+    [
       'broken reasons',
       '{"t":3,"event":"decision","n":1,"task":"a","crew":{},"why":{"candidates":{"x":null}}}',
       '"why" of decision',
