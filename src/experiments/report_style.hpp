@@ -32,7 +32,7 @@ tbody th{font-weight:600;white-space:nowrap}
 .figures{display:grid;grid-template-columns:repeat(auto-fit,minmax(min(540px,100%),1fr));gap:8px 24px}.w{grid-column:1/-1}
 figure{margin:16px 0;break-inside:avoid;min-width:0}figure svg,figure img{display:block;max-width:100%;height:auto}
 figcaption{color:var(--muted);font-size:14px;margin-top:6px;max-width:90ch}
-@media print{:root{color-scheme:light}body{max-width:none;padding:0;font-size:11pt}
+@media print{:root{color-scheme:light}.figures{grid-template-columns:1fr 1fr}body{max-width:none;padding:0;font-size:11pt}
 table,.n td,.n th{font-size:7pt}th,td,.n td,.n th{padding:2px 4px}caption{font-size:9pt}.wide{overflow:visible}h2{break-after:avoid}tr{break-inside:avoid}
 @page{size:A4 landscape;margin:14mm}}
 )css";

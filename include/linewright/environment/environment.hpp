@@ -19,8 +19,8 @@ struct RewardOptions {
   double eta1 = 0.01;  ///< paid per tick since the last decision, >= 0
   double eta2 = 1.0;   ///< won when the order is finished, paid when the run ends without; >= 0
   double eta3 = 0.2;   ///< won for the whole order, in shares as it is finished, >= 0
-  /// Won with every decision, >= 0. The published runs had 0.1, which the paper does not mention; it
-  /// pays for splitting one transport into many.
+  /// Won with every decision, >= 0. The published runs had 0.1, which the paper does not mention;
+  /// it pays for splitting one transport into many.
   double decision_bonus = 0.0;
 };
 
