@@ -24,7 +24,7 @@ endif
 .PHONY: web web-test web-bench
 
 help:
-	@echo "make demo               build the command line tool, simulate the duct line, draw its Gantt chart"
+	@echo "make demo               build the command line tool and the page, simulate the duct line, write it as a page"
 	@echo "make train              build the trainer (installs LibTorch), train EBQ-N on the duct line, evaluate it"
 	@echo "make test               build everything, run all tests, fuzz for 20 seconds"
 	@echo "make asan               run the tests under AddressSanitizer and UndefinedBehaviorSanitizer"
@@ -62,14 +62,22 @@ build/%/build.ninja: CMakePresets.json | deps-build
 	@cmake --preset $* --log-level=WARNING >/dev/null
 	@touch $@
 
-demo: build/release/build.ninja
+# The page is one file without anything outside. npm installs again only when the lock file changed.
+WEB_PAGE := build/web/linewright-view.html
+WEB_PACKAGES := web/node_modules/.package-lock.json
+WEB_SOURCES := $(shell find web/src -type f -not -name '*.test.ts' 2>/dev/null) \
+  $(wildcard web/*.html web/*.json web/vite.config.ts)
+WEB_SUMMARY = page: $$(grep -hE '^ +Tests ' build/web/test.log | grep -oE '[0-9]+ passed' | paste -sd ,)
+
+demo: build/release/build.ninja $(WEB_PAGE)
 	$(SAY) "Building the command line tool"
 	@cmake --build --preset release --parallel $(JOBS) --target linewright
 	$(SAY) "Simulating the duct line: 2 humans, 2 robots, an order of 5 ducts"
 	@mkdir -p out
 	@build/release/linewright simulate scenarios/duct_line.yaml --humans 2 --robots 2 --order 5 \
-	  --log out/duct_line.jsonl --gantt out/duct_line.html
-	$(SAY) "Done: open out/duct_line.html in a browser; out/duct_line.jsonl holds the event log"
+	  --explain --log out/duct_line.jsonl --gantt out/duct_line.svg
+	@build/release/linewright view out/duct_line.jsonl --export out/duct_line.html
+	$(SAY) "Done: open out/duct_line.html in a browser; out/duct_line.svg is the Gantt chart, out/duct_line.jsonl the event log"
 
 train: deps-learn build/release/build.ninja
 	@cmake --preset release --log-level=WARNING >/dev/null
@@ -81,7 +89,7 @@ train: deps-learn build/release/build.ninja
 	@build/release/linewright evaluate scenarios/duct_line.yaml --order 5 --trials 100 \
 	  --planner policy:out/train/ebq-n-s1/best.safetensors
 
-test: deps-test build/release/build.ninja
+test: deps-test build/release/build.ninja $(WEB_PAGE)
 	@cmake --preset release --log-level=WARNING >/dev/null
 	$(SAY) "Building everything"
 	@cmake --build --preset release --parallel $(JOBS)
@@ -91,13 +99,6 @@ test: deps-test build/release/build.ninja
 	@tools/fuzz.sh 20
 	@$(MAKE) web-test
 	$(SAY) "Summary: $$(grep -E 'tests passed' build/release/ctest.log); fuzzing found nothing; $(WEB_SUMMARY)"
-
-# The page is one file without anything outside. npm installs again only when the lock file changed.
-WEB_PAGE := build/web/linewright-view.html
-WEB_PACKAGES := web/node_modules/.package-lock.json
-WEB_SOURCES := $(shell find web/src -type f -not -name '*.test.ts' 2>/dev/null) \
-  $(wildcard web/*.html web/*.json web/vite.config.ts)
-WEB_SUMMARY = page: $$(grep -hE '^ +Tests ' build/web/test.log | grep -oE '[0-9]+ passed' | paste -sd ,)
 
 $(WEB_PACKAGES): web/package-lock.json web/package.json web/.npmrc | deps-web
 	$(SAY) "Installing the page's packages"
