@@ -83,6 +83,8 @@ function(linewright_add_fuzzers)
   endif()
   file(GLOB sources CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/fuzz/*.cpp")
   get_property(layers GLOBAL PROPERTY LINEWRIGHT_LAYERS)
+  # What no fuzzer uses need not be built for them a second time.
+  list(REMOVE_ITEM layers linewright_charts linewright_bounds linewright_experiments)
   foreach(source IN LISTS sources)
     cmake_path(GET source STEM name)
     add_executable(${name} "${source}")

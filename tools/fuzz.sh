@@ -25,19 +25,21 @@ if [[ -z "$compiler" ]]; then
   exit 1
 fi
 
-echo "==> Building the fuzzers"
-if ! [[ -f build/fuzz/build.ninja && build/fuzz/build.ninja -nt CMakePresets.json ]]; then
-  cmake --preset fuzz -D CMAKE_CXX_COMPILER="$compiler" --log-level=WARNING >/dev/null
-  touch build/fuzz/build.ninja
-fi
-cmake --build --preset fuzz --parallel "$(nproc)"
-
 shopt -s nullglob
 sources=(fuzz/*_fuzzer.cpp)
 if [[ ${#sources[@]} -eq 0 ]]; then
   echo "There is no fuzz/*_fuzzer.cpp" >&2
   exit 1
 fi
+
+echo "==> Building the fuzzers"
+if ! [[ -f build/fuzz/build.ninja && build/fuzz/build.ninja -nt CMakePresets.json ]]; then
+  cmake --preset fuzz -D CMAKE_CXX_COMPILER="$compiler" --log-level=WARNING >/dev/null
+  touch build/fuzz/build.ninja
+fi
+programs=("${sources[@]##*/}")
+cmake --build --preset fuzz --parallel "$(nproc)" --target "${programs[@]%.cpp}"
+
 share=$(( seconds / ${#sources[@]} > 0 ? seconds / ${#sources[@]} : 1 ))
 
 export ASAN_OPTIONS="${ASAN_OPTIONS:-allocator_may_return_null=1}"
