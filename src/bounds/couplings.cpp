@@ -2,20 +2,10 @@
 
 #include <algorithm>
 
+#include "net_words.hpp"
+
 namespace linewright::bounds {
 namespace {
-
-const MachineUse* find(const std::vector<MachineUse>& uses, MachineId machine) {
-  const auto found = std::find_if(uses.begin(), uses.end(),
-                                  [&](const MachineUse& use) { return use.machine == machine; });
-  return found == uses.end() ? nullptr : &*found;
-}
-
-int tokens_in(const std::vector<std::pair<int, int>>& flows, int store) {
-  int tokens = 0;
-  for (const auto& flow : flows) tokens += flow.first == store ? flow.second : 0;
-  return tokens;
-}
 
 /// Stores that hold a token exactly while the machine is held between two operations: what claims
 /// it puts one into one of them, what frees it takes one out, nothing else touches them. Empty:
