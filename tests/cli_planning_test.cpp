@@ -324,6 +324,16 @@ TEST(Cli, BoundSaysWhatASolverIsMissing) {
   EXPECT_NE(output.err.find("nonsense"), std::string::npos) << output.err;
 }
 
+TEST(Cli, BoundRefusesABudgetThatIsNoneOrWithoutASolver) {
+  const std::string run = "bound scenarios/duct_line.yaml --humans 3 --robots 3 --order 2 ";
+  Output output = linewright(run + "--solver cp-sat --budget soon");
+  EXPECT_EQ(output.code, 2);
+  EXPECT_NE(output.err.find("'soon' is no time"), std::string::npos) << output.err;
+  output = linewright(run + "--budget 5s");
+  EXPECT_EQ(output.code, 2);
+  EXPECT_NE(output.err.find("requires --solver"), std::string::npos) << output.err;
+}
+
 /// With LINEWRIGHT_ORTOOLS naming a Python that has ortools: what it proves is below what is known.
 TEST(Cli, BoundByCpSatIsBelowTheBestRun) {
   const char* python = std::getenv("LINEWRIGHT_ORTOOLS");

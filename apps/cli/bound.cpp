@@ -61,7 +61,7 @@ void prove(const BoundArguments& arguments, const Scenario& scenario, Report& re
   JointBound joint =
       joint_bound(scenario, report.setup, arguments.makespan,
                   {.budget_ns = parse_budget_ns(arguments.budget), .python = arguments.python});
-  if (!arguments.makespan) report.found = joint.found;
+  report.found = joint.found;
   report.bounds.push_back(std::move(joint.bound));
   std::stable_sort(report.bounds.begin(), report.bounds.end(),
                    [](const Bound& a, const Bound& b) { return a.ticks > b.ticks; });
@@ -142,7 +142,8 @@ std::string to_text(const BoundArguments& arguments, const LineModel& line, cons
 
 /// Several crews or starts: a row each, and the mean.
 std::string to_table(const std::vector<Report>& reports) {
-  const bool found = reports[0].found.has_value();
+  const bool found = std::any_of(reports.begin(), reports.end(),
+                                 [](const Report& report) { return report.found.has_value(); });
   std::vector<std::vector<std::string>> rows{{"crew", "seed", "bound", "by"}};
   if (found) rows[0].insert(rows[0].end(), {"found", "gap"});
   double sum = 0.0;
@@ -151,8 +152,9 @@ std::string to_table(const std::vector<Report>& reports) {
     rows.push_back({report.crew, std::to_string(report.seed),
                     std::to_string(report.bounds[0].ticks), report.bounds[0].name});
     if (!found) continue;
-    rows.back().push_back(std::to_string(*report.found));
-    rows.back().push_back(percent(gap(*report.found, report.bounds[0].ticks), 1));
+    rows.back().push_back(report.found ? std::to_string(*report.found) : "-");
+    rows.back().push_back(report.found ? percent(gap(*report.found, report.bounds[0].ticks), 1)
+                                       : "-");
   }
   return text_table(rows) +
          fmt::format("mean of the bounds {:.1f}\n", sum / static_cast<double>(reports.size()));
@@ -169,12 +171,9 @@ void check_makespan(const BoundArguments& arguments, const std::vector<Report>& 
 }
 
 int bound(BoundArguments& arguments) {
+  static_cast<void>(parse_budget_ns(arguments.budget));  // a bad one before the work begins
   const Scenario scenario = load(arguments.run.scenario);
   const std::vector<Report> reports = reports_of(arguments, scenario);
-  if (interrupted().requested()) {
-    report("interrupted: not every bound is complete");
-    return kInterrupted;
-  }
   check_makespan(arguments, reports);
   if (arguments.run.json) {
     Json all = Json::array();
@@ -182,6 +181,10 @@ int bound(BoundArguments& arguments) {
     print((all.size() == 1 ? all[0] : all).dump(2) + "\n");
   } else {
     print(reports.size() == 1 ? to_text(arguments, scenario.line, reports[0]) : to_table(reports));
+  }
+  if (interrupted().requested()) {
+    report("interrupted: these bounds hold, but higher ones were still being looked for");
+    return kInterrupted;
   }
   return kOk;
 }
@@ -205,16 +208,20 @@ Command add_bound(CLI::App& app) {
       ->capture_default_str()
       ->check(CLI::Range(std::size_t{0}, std::size_t{10'000'000}))
       ->type_name("N");
-  app.add_option("--solver", arguments->solver,
-                 "Also prove a bound of all resources at once, with Google's CP-SAT: cp-sat, or "
-                 "none (needs Python with ortools)")
-      ->capture_default_str()
-      ->check(CLI::IsMember({"none", "cp-sat"}))
-      ->type_name("NAME");
+  CLI::Option* solver =
+      app.add_option(
+             "--solver", arguments->solver,
+             "Also prove a bound of all resources at once, with Google's CP-SAT: cp-sat, or "
+             "none (needs Python with ortools)")
+          ->capture_default_str()
+          ->check(CLI::IsMember({"none", "cp-sat"}))
+          ->type_name("NAME");
   app.add_option("--budget", arguments->budget, "With --solver: time per start: 10s, 5min")
+      ->needs(solver)
       ->capture_default_str()
       ->type_name("TIME");
   app.add_option("--python", arguments->python, "With --solver: the Python that has ortools")
+      ->needs(solver)
       ->capture_default_str()
       ->type_name("PROGRAM");
   app.add_option("--makespan", arguments->makespan, "A makespan to compare the bound with: the gap")

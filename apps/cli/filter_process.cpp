@@ -82,6 +82,30 @@ class Lines {
   std::string rest_;
 };
 
+/// A program that was started. None is left behind, whatever happens.
+class Child {
+ public:
+  explicit Child(pid_t process) : process_(process) {}
+  ~Child() {
+    if (process_ <= 0) return;
+    kill(process_, SIGTERM);
+    wait_for_end();
+  }
+  Child(const Child&) = delete;
+  Child& operator=(const Child&) = delete;
+
+  int wait_for_end() {
+    int status = 0;
+    while (waitpid(process_, &status, 0) < 0 && errno == EINTR) {
+    }
+    process_ = -1;
+    return status;
+  }
+
+ private:
+  pid_t process_;
+};
+
 /// Writes and reads at once, so that neither program waits for the other for ever.
 void exchange(pid_t process, Pipe& in, Pipe& out, Pipe& error, const std::string& input,
               Lines& lines, Lines& errors) {
@@ -131,20 +155,13 @@ FilterResult run_filter(const std::vector<std::string>& words, const std::string
   out.close_end(1);
   error.close_end(1);
   fcntl(in.writes(), F_SETFL, O_NONBLOCK);
-  // One that ends before it has read everything must not end this program.
-  struct sigaction ignore {};
-  struct sigaction before {};
-  ignore.sa_handler = SIG_IGN;
-  sigaction(SIGPIPE, &ignore, &before);
+  Child child(process);
   Lines lines(on_line);
   Lines errors([&](const std::string& line) {
     if (!line.empty()) result.last_error = line;
   });
   exchange(process, in, out, error, input, lines, errors);
-  sigaction(SIGPIPE, &before, nullptr);
-  int status = 0;
-  while (waitpid(process, &status, 0) < 0 && errno == EINTR) {
-  }
+  const int status = child.wait_for_end();
   result.success = WIFEXITED(status) && WEXITSTATUS(status) == 0;
   if (WIFEXITED(status) && WEXITSTATUS(status) == kNotStarted && result.last_error.empty())
     result.last_error = "there is no such program";

@@ -29,13 +29,11 @@ std::string script_file() {
 }
 
 /// A run that finishes early, so that the solver need not look at what is later.
-Tick short_search(const Scenario& scenario, const RunSetup& setup) {
+Solution short_search(const Scenario& scenario, const RunSetup& setup) {
   constexpr std::size_t kFutures = 3000;
   const Simulator simulator(std::make_shared<const LineModel>(scenario.line));
-  const Solution solution =
-      solve(simulator, setup, {.free_agents = true, .wait = true, .rollouts = kFutures},
-            planner_context(scenario, "sap"));
-  return solution.makespan;
+  return solve(simulator, setup, {.free_agents = true, .wait = true, .rollouts = kFutures},
+               planner_context(scenario, "sap"));
 }
 
 struct Proven {
@@ -74,11 +72,19 @@ std::string argument_of(const Proven& proven, Tick limit, std::size_t resources)
 JointBound joint_bound(const Scenario& scenario, const RunSetup& setup, std::optional<Tick> known,
                        const JointOptions& options) {
   const std::string script = script_file();
-  const Tick found = known ? *known : short_search(scenario, setup);
-  const auto relaxations = joint_relaxations(scenario.line, setup, found);
-  JointBound made{.bound = {.name = "joint:cp_sat", .ticks = found}, .found = found};
+  JointBound made;
+  Tick limit = known.value_or(0);
+  if (!known) {
+    const Solution solution = short_search(scenario, setup);
+    limit = solution.makespan;  // of one that does not finish: the horizon
+    if (solution.finished) made.found = limit;
+  }
+  const auto relaxations = joint_relaxations(scenario.line, setup, limit);
+  made.bound = {.name = "joint:cp_sat", .ticks = limit, .argument = {}};
   if (relaxations.empty()) {
-    made.bound.argument = "The critical path is as long as the makespan that was found.";
+    made.bound.argument =
+        "Without any competition the run cannot end before the makespan below which one was looked "
+        "for.";
     return made;
   }
   Json cases = Json::array();
@@ -96,7 +102,7 @@ JointBound joint_bound(const Scenario& scenario, const RunSetup& setup, std::opt
                    const double spent = static_cast<double>(clock_ns() - started) * 1e-9;
                    bar.update(static_cast<std::size_t>(std::min(spent, seconds) * 10),
                               static_cast<std::size_t>(std::ceil(seconds * 10)),
-                              fmt::format("proven {}, found {}", proven.ticks, found));
+                              fmt::format("proven {} of {}", proven.ticks, limit));
                  });
   if (!result.success && !interrupted().requested()) {
     throw ScenarioError(options.python, "cannot prove a bound: " + result.last_error,
@@ -104,7 +110,7 @@ JointBound joint_bound(const Scenario& scenario, const RunSetup& setup, std::opt
                         "ortools) and give --python FOLDER/bin/python, or leave out --solver");
   }
   made.bound.ticks = std::max(Tick{1}, proven.ticks);
-  made.bound.argument = argument_of(proven, found, relaxations[0].resources.size());
+  made.bound.argument = argument_of(proven, limit, relaxations[0].resources.size());
   return made;
 }
 

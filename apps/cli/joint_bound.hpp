@@ -15,11 +15,11 @@ struct JointOptions {
 };
 
 /// The bound of all resources at once, proven by CP-SAT in a Python of its own
-/// (apps/solver/joint_bound.py). `found`: the makespan below which it looks for a run: `known`, or
-/// what a short search of our own reaches.
+/// (apps/solver/joint_bound.py). It looks for runs that end before `known`, or before the best run
+/// of a short search of our own (`found`; none: no run of it finished), else before the horizon.
 struct JointBound {
   Bound bound;
-  Tick found = 0;
+  std::optional<Tick> found;
 };
 /// Ctrl-C ends the proof; what is proven by then is the result. Throws ScenarioError when Python or
 /// ortools is missing, or the solver fails.
