@@ -58,11 +58,12 @@ std::pair<RunSetup, std::optional<Tick>> recorded(const BoundArguments& argument
 /// Adds what the solver proves, the best bound first.
 void prove(const BoundArguments& arguments, const Scenario& scenario, Report& report) {
   if (arguments.solver == "none" || interrupted().requested()) return;
-  JointBound joint =
+  std::optional<JointBound> joint =
       joint_bound(scenario, report.setup, arguments.makespan,
                   {.budget_ns = parse_budget_ns(arguments.budget), .python = arguments.python});
-  report.found = joint.found;
-  report.bounds.push_back(std::move(joint.bound));
+  if (!joint) return;
+  report.found = joint->found;
+  report.bounds.push_back(std::move(joint->bound));
   std::stable_sort(report.bounds.begin(), report.bounds.end(),
                    [](const Bound& a, const Bound& b) { return a.ticks > b.ticks; });
 }

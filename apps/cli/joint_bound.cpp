@@ -28,12 +28,15 @@ std::string script_file() {
                       "take the whole repository or installation");
 }
 
-/// A run that finishes early, so that the solver need not look at what is later.
-Solution short_search(const Scenario& scenario, const RunSetup& setup) {
+/// A run that finishes early, so that the solver need not look at what is later. None: interrupted.
+std::optional<Solution> short_search(const Scenario& scenario, const RunSetup& setup) try {
   constexpr std::size_t kFutures = 3000;
   const Simulator simulator(std::make_shared<const LineModel>(scenario.line));
   return solve(simulator, setup, {.free_agents = true, .wait = true, .rollouts = kFutures},
                planner_context(scenario, "sap"));
+} catch (const ScenarioError&) {
+  if (!interrupted().requested()) throw;
+  return std::nullopt;
 }
 
 struct Proven {
@@ -69,15 +72,16 @@ std::string argument_of(const Proven& proven, Tick limit, std::size_t resources)
 
 }  // namespace
 
-JointBound joint_bound(const Scenario& scenario, const RunSetup& setup, std::optional<Tick> known,
-                       const JointOptions& options) {
+std::optional<JointBound> joint_bound(const Scenario& scenario, const RunSetup& setup,
+                                      std::optional<Tick> known, const JointOptions& options) {
   const std::string script = script_file();
   JointBound made;
   Tick limit = known.value_or(0);
   if (!known) {
-    const Solution solution = short_search(scenario, setup);
-    limit = solution.makespan;  // of one that does not finish: the horizon
-    if (solution.finished) made.found = limit;
+    const std::optional<Solution> solution = short_search(scenario, setup);
+    if (!solution) return std::nullopt;
+    limit = solution->makespan;  // of one that does not finish: the horizon
+    if (solution->finished) made.found = limit;
   }
   const auto relaxations = joint_relaxations(scenario.line, setup, limit);
   made.bound = {.name = "joint:cp_sat", .ticks = limit, .argument = {}};
@@ -109,7 +113,11 @@ JointBound joint_bound(const Scenario& scenario, const RunSetup& setup, std::opt
                         "install ortools for it (python3 -m venv FOLDER; FOLDER/bin/pip install "
                         "ortools) and give --python FOLDER/bin/python, or leave out --solver");
   }
-  made.bound.ticks = std::max(Tick{1}, proven.ticks);
+  if (proven.cases == 0) {
+    if (interrupted().requested()) return std::nullopt;
+    throw ScenarioError(script, "ended without a word about what is proven", "");
+  }
+  made.bound.ticks = proven.ticks;
   made.bound.argument = argument_of(proven, limit, relaxations[0].resources.size());
   return made;
 }

@@ -21,9 +21,10 @@ struct JointBound {
   Bound bound;
   std::optional<Tick> found;
 };
-/// Ctrl-C ends the proof; what is proven by then is the result. Throws ScenarioError when Python or
-/// ortools is missing, or the solver fails.
-[[nodiscard]] JointBound joint_bound(const Scenario& scenario, const RunSetup& setup,
-                                     std::optional<Tick> known, const JointOptions& options);
+/// Ctrl-C ends the proof; what is proven by then is the result, none where that is nothing. Throws
+/// ScenarioError when Python or ortools is missing, or the solver fails.
+[[nodiscard]] std::optional<JointBound> joint_bound(const Scenario& scenario, const RunSetup& setup,
+                                                    std::optional<Tick> known,
+                                                    const JointOptions& options);
 
 }  // namespace linewright::cli

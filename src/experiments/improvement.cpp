@@ -6,6 +6,7 @@
 #include "linewright/charts/bar_chart.hpp"
 #include "linewright/charts/radar_chart.hpp"
 #include "linewright/experiments/figures.hpp"
+#include "metric_titles.hpp"
 #include "row_styles.hpp"
 
 namespace linewright {
@@ -23,22 +24,6 @@ struct Axis {
   std::optional<std::size_t> column;  ///< none: the mean of all
 };
 
-const char* short_name(Metric metric) {
-  switch (metric) {
-    case Metric::kMakespan:
-      return "makespan";
-    case Metric::kSuccessRate:
-      return "success";
-    case Metric::kProgress:
-      return "progress";
-    case Metric::kDistance:
-      return "distance";
-    case Metric::kTraining:
-      return "training";
-  }
-  return "";
-}
-
 /// Short: a radar has little room for names. Of training only how soon it was good: how long it
 /// went on is what somebody asked for.
 std::vector<Axis> axes_of(const ExperimentResult& result) {
@@ -51,7 +36,7 @@ std::vector<Axis> axes_of(const ExperimentResult& result) {
           {"time to 5 %", &table, static_cast<std::size_t>(column - table.columns.begin())});
       continue;
     }
-    std::string name = short_name(table.metric);
+    std::string name = experiments::word_of(table.metric);
     if (experiment.columns == Experiment::Columns::kOrders) {
       name += fmt::format(", {}–{}", experiment.orders.front(), experiment.orders.back());
     }

@@ -34,4 +34,20 @@ const char* short_title_of(Metric metric) {
   return "";
 }
 
+const char* word_of(Metric metric) {
+  switch (metric) {
+    case Metric::kMakespan:
+      return "makespan";
+    case Metric::kSuccessRate:
+      return "success";
+    case Metric::kProgress:
+      return "progress";
+    case Metric::kDistance:
+      return "distance";
+    case Metric::kTraining:
+      return "training";
+  }
+  return "";
+}
+
 }  // namespace linewright::experiments

@@ -7,7 +7,10 @@ namespace linewright::experiments {
 /// For people: what is measured, and in which unit.
 [[nodiscard]] const char* title_of(Metric metric);
 
-/// For axes.
+/// For axes of charts.
 [[nodiscard]] const char* short_title_of(Metric metric);
+
+/// One word, for the spokes of a radar.
+[[nodiscard]] const char* word_of(Metric metric);
 
 }  // namespace linewright::experiments
