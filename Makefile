@@ -75,9 +75,10 @@ demo: build/release/build.ninja $(WEB_PAGE)
 	$(SAY) "Simulating the duct line: 2 humans, 2 robots, an order of 5 ducts"
 	@mkdir -p out
 	@build/release/linewright simulate scenarios/duct_line.yaml --humans 2 --robots 2 --order 5 \
-	  --explain --log out/duct_line.jsonl --gantt out/duct_line.svg
+	  --explain --log out/duct_line.jsonl --gantt out/duct_line.svg >out/duct_line.txt
+	@sed -n '/^line /,$$p' out/duct_line.txt
 	@build/release/linewright view out/duct_line.jsonl --export out/duct_line.html
-	$(SAY) "Done: open out/duct_line.html in a browser; out/duct_line.svg is the Gantt chart, out/duct_line.jsonl the event log"
+	$(SAY) "Done: open out/duct_line.html in a browser; out/duct_line.svg is the Gantt chart, out/duct_line.jsonl the event log, out/duct_line.txt says why of each decision"
 
 train: deps-learn build/release/build.ninja
 	@cmake --preset release --log-level=WARNING >/dev/null

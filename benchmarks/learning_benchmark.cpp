@@ -107,7 +107,14 @@ double median_update(const learning::SeenStates& seen, const NetworkOptions& opt
   return share_of(times, 0.5);
 }
 
-/// The same in PyTorch; 0 where it is not installed.
+/// The python3 that Debian's python3-torch belongs to, unless PYTHON names another.
+constexpr const char* kPython = "${PYTHON:-/usr/bin/python3}";
+
+bool has_pytorch() {
+  return std::system(fmt::format("{} -c 'import torch' 2>/dev/null", kPython).c_str()) == 0;
+}
+
+/// The same in PyTorch.
 double median_update_of_pytorch(const ObservationSpec& spec, int width, std::size_t rows,
                                 std::size_t threads, int updates) {
   std::string groups;
@@ -122,10 +129,9 @@ double median_update_of_pytorch(const ObservationSpec& spec, int width, std::siz
     groups += fmt::format("{}{}:{}:{}:{}", groups.empty() ? "" : ",", group.name,
                           group.tokens.size(), most, encoder);
   }
-  const std::string command =
-      fmt::format("python3 " LINEWRIGHT_SOURCE_DIR
-                  "/benchmarks/learning/torch_update.py '{}' {} {} {} {} {} 2>/dev/null",
-                  groups, spec.actions.size(), width, rows, threads, updates);
+  const std::string command = fmt::format(
+      "{} " LINEWRIGHT_SOURCE_DIR "/benchmarks/learning/torch_update.py '{}' {} {} {} {} {}",
+      kPython, groups, spec.actions.size(), width, rows, threads, updates);
   std::FILE* pipe = popen(command.c_str(), "r");
   double median = 0.0;
   if (pipe == nullptr) return median;
@@ -138,6 +144,11 @@ void measure_updates(const learning::SeenStates& seen, int updates) {
   fmt::print("\none update, median of {}\n{:>6} {:>6} {:>6} {:>8} {:>9} {:>10} {:>11} {:>6}\n",
              updates, "width", "layers", "batch", "threads", "ms", "us/sample", "PyTorch ms",
              "ratio");
+  const bool pytorch = has_pytorch();
+  if (!pytorch)
+    fmt::print(
+        "no PyTorch to compare with: install python3-torch, or set PYTHON to a Python with "
+        "torch\n");
   for (const std::size_t threads : {1, 2}) {
     prepare_learning(threads);
     for (const int width : {32, 64, 128}) {
@@ -147,8 +158,9 @@ void measure_updates(const learning::SeenStates& seen, int updates) {
               .width = width, .encoder_layers = layers, .feedforward = 2 * width};
           const double ms = median_update(seen, options, rows, threads, updates);
           const double theirs =
-              layers == 1 ? median_update_of_pytorch(seen.spec, width, rows, threads, updates)
-                          : 0.0;
+              pytorch && layers == 1
+                  ? median_update_of_pytorch(seen.spec, width, rows, threads, updates)
+                  : 0.0;
           fmt::print("{:>6} {:>6} {:>6} {:>8} {:>9.2f} {:>10.0f} {:>11} {:>6}\n", width, layers,
                      rows, threads, ms, 1000.0 * ms / static_cast<double>(rows),
                      theirs > 0.0 ? fmt::format("{:.2f}", theirs) : "-",

@@ -10,6 +10,7 @@
 #include "linewright/base/random.hpp"
 #include "linewright/bounds/lower_bounds.hpp"
 #include "linewright/planning/shield.hpp"
+#include "linewright/planning/solve.hpp"
 #include "tests/support.hpp"
 
 namespace linewright::testing {
@@ -117,6 +118,30 @@ TEST(LowerBounds, OfTheDuctLineAreAboveTheStationCycle) {
     const auto bounds = lower_bounds(line, setup);
     EXPECT_GE(bounds[0].ticks, 610) << seed;
     EXPECT_LE(bounds[0].ticks, 655) << seed;  // runs of 655 ticks are known
+  }
+}
+
+TEST(LowerBounds, OfOnePersonCountFullCagesAndFixturesThatAreHeld) {
+  // One person fetches four flanges before the fifth, and brings none to a fixture that holds one.
+  const LineModel& line = shipped_line("scenarios/duct_line.yaml").scenario.line;
+  for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+    const auto bounds = lower_bounds(line, sample_setup(line, crew_of({1, 2}, 5), seed));
+    EXPECT_EQ(bounds[0].name, "worker:human");
+    EXPECT_GE(bounds[0].ticks, 781) << seed;
+    EXPECT_LE(bounds[0].ticks, 832) << seed;  // runs of 832 ticks are known
+  }
+}
+
+TEST(LowerBounds, AreBelowWhatASearchFinds) {
+  const Line& line = shipped_line("scenarios/duct_line.yaml");
+  for (const int order : {1, 2, 4}) {
+    for (const std::vector<int>& crew : {std::vector{1, 1}, std::vector{1, 3}, std::vector{2, 2}}) {
+      const RunSetup setup = sample_setup(line.scenario.line, crew_of(crew, order), 1);
+      const Solution found =
+          solve(*line.simulator, setup, {.free_agents = true, .wait = true, .rollouts = 300}, {});
+      ASSERT_TRUE(found.finished);
+      EXPECT_LE(lower_bounds(line.scenario.line, setup)[0].ticks, found.makespan) << order;
+    }
   }
 }
 

@@ -40,7 +40,7 @@ TEST_F(CliView, ExportsOneFileWithTheLogsInside) {
   folder_.write("b.jsonl", read_file(kLog));
   const Output output = view(std::string(kLog) + " b.jsonl --export out/page.html");
   ASSERT_EQ(output.code, 0) << output.err;
-  EXPECT_EQ(output.out, "page  out/page.html\n");
+  EXPECT_EQ(output.out, "page         out/page.html\n");
   const std::string page = read_file(folder_.file("out/page.html"));
   EXPECT_TRUE(has(page, "<p>the page</p>"));
   const auto logs = logs_in(page)["logs"];

@@ -104,7 +104,7 @@ void write_export(const ViewArguments& arguments) {
     logs.push_back({names[i], text_of(arguments.logs[i])});
   }
   write_file(arguments.export_to, page_with(page, logs));
-  print("page  " + arguments.export_to + "\n");
+  print("page         " + arguments.export_to + "\n");
 }
 
 int serve(const ViewArguments& arguments) {

@@ -2,6 +2,7 @@
 
 #include "joint_model.hpp"
 #include "linewright/line/lower_limits.hpp"
+#include "transfers.hpp"
 
 namespace linewright::bounds {
 namespace {
@@ -47,7 +48,8 @@ class TaskBatches {
     // The last column stands for all that follow.
     if (static_cast<int>(batch.items.size()) >= model_.columns()) return;
     if (transfer.source.place) {
-      batch.full = fills(transfer, events.item);
+      const bool loaded = !transfer.destination.place && loaded_[transfer.destination.slot] != -1;
+      batch.full = !loaded && supply_loaded(net_, task_, transfer, events.item);
       batch.some = batch.full && asks_for_one(*transfer.source.place);
     } else {
       from_carrier(transfer, events.item, batch);
@@ -60,24 +62,6 @@ class TaskBatches {
                                                : kSeveral;
     }
     model_.made.batches.push_back(std::move(batch));
-  }
-
-  /// Whether an execution that leaves something behind must have been full: all there will ever be
-  /// lies there from the start, nothing else takes of it, and the carrier comes empty.
-  [[nodiscard]] bool fills(const TransferAction& transfer, int item) const {
-    if (transfer.destination.place) return false;
-    if (task_.crew[transfer.destination.slot].wanted != CarrierWanted::kEmpty) return false;
-    if (loaded_[transfer.destination.slot] != -1) return false;
-    const int store = net_.stores.of(*transfer.source.place);
-    const auto& taken_by = net_.net[net_.departures[at(store)]].sources;
-    const bool reserved =
-        std::any_of(net_.line.tasks.begin(), net_.line.tasks.end(), [&](const Task& task) {
-          return std::any_of(task.reserves.begin(), task.reserves.end(), [&](const Reservation& r) {
-            return r.place == *transfer.source.place;
-          });
-        });
-    return !reserved && net_.net[net_.arrivals[at(store)]].sources.empty() &&
-           taken_by.size() == 1 && taken_by[0].event == item;
   }
 
   /// The task is chosen only while something lies there.
@@ -120,36 +104,11 @@ class TaskBatches {
   /// The task is chosen only while no more than so many tokens lie in the place that it alone
   /// fills.
   void empties(PlaceId place, int item, JointRelaxation::Batch& batch) const {
-    if (net_.line.places[place.index()].berth || task_.when.any_of.size() != 1) return;
-    const auto& brought_by = net_.net[net_.arrivals[place.index()]].sources;
-    if (brought_by.size() != 1 || brought_by[0].event != item) return;
-    for (const Comparison& comparison : task_.when.any_of[0]) {
-      const auto most = most_of(comparison, place);
-      if (!most) continue;
-      batch.before_next_decision.clear();
-      for (std::size_t k = 0; k < batch.items.size(); ++k) {
-        const int leaves = static_cast<int>(k) + 1 + net_.initial(place.value) - *most;
-        batch.before_next_decision.push_back(model_.node(net_.departures[place.index()], leaves));
-      }
-    }
-  }
-
-  /// The comparison says: count of the place <= this.
-  static std::optional<int> most_of(const Comparison& comparison, PlaceId place) {
-    if (comparison.terms.size() != 1) return std::nullopt;
-    const Term& term = comparison.terms[0];
-    if (term.variable.kind != VariableKind::kPlaceCount || term.coefficient != 1 ||
-        term.variable.index != place.value) {
-      return std::nullopt;
-    }
-    switch (comparison.relation) {
-      case Relation::kEqual:
-      case Relation::kLessEqual:
-        return -comparison.constant;
-      case Relation::kLess:
-        return -comparison.constant - 1;
-      default:
-        return std::nullopt;
+    const auto most = most_when_chosen(net_, task_, place, item);
+    if (!most) return;
+    for (std::size_t k = 0; k < batch.items.size(); ++k) {
+      const int leaves = static_cast<int>(k) + 1 + net_.initial(place.value) - *most;
+      batch.before_next_decision.push_back(model_.node(net_.departures[place.index()], leaves));
     }
   }
 

@@ -66,15 +66,15 @@ struct LineNet {
   Stores stores;
   Ways ways;
   EventNet net;
-  std::vector<int> arrivals;    ///< by store: a token has come (those of the start included)
-  std::vector<int> departures;  ///< by store: one has gone (its room is free again)
-  std::vector<int> parked;      ///< by place: a carrier has come to stand in the berth
-  std::vector<int> tries;       ///< by operation with operated_by: a worker is ready to start it
-  std::vector<int> starts;      ///< by operation
-  std::vector<int> ends;        ///< by operation: products are out
-  std::vector<int> freed;       ///< by operation: its recovery is over
-  std::vector<int> machine_freed;
-  std::vector<int> machine_claimed;
+  std::vector<int> arrivals;       ///< by store: a token has come (those of the start included)
+  std::vector<int> departures;     ///< by store: one has gone (its room is free again)
+  std::vector<int> parked;         ///< by place: a carrier has come to stand in the berth
+  std::vector<int> tries;          ///< by operation with operated_by: a worker is ready to start it
+  std::vector<int> starts;         ///< by operation
+  std::vector<int> ends;           ///< by operation: products are out
+  std::vector<int> freed;          ///< by operation: its recovery is over
+  std::vector<int> machine_freed;  ///< by machine: what was claimed has been let go again
+  std::vector<int> machine_claimed;  ///< by machine
   std::vector<TaskEvents> tasks;
   std::vector<Flow> flows;
   std::vector<std::pair<int, int>> done;  ///< all of (store, tokens ever there) that the end needs

@@ -61,15 +61,14 @@ void connect(LineNet& net, std::size_t o) {
     net.net[net.arrivals[at(store)]].sources.push_back({net.ends[o], given.count});
     flow.gives.emplace_back(store, given.count);
   }
-  for (const auto* taken : {&operation.uses, &operation.claims}) {
-    for (const MachineUse& use : *taken)
-      arcs.push_back({.from = net.machine_freed[use.machine.index()], .plus = -1});
-  }
-  for (const MachineUse& use : operation.frees)
+  // Whoever claims a machine finds it let go by those before; whoever only uses it lets it go
+  // itself.
+  if (!operation.uses.empty()) arcs.push_back({.from = net.freed[o], .plus = -1});
+  for (const MachineUse& use : operation.claims)
+    arcs.push_back({.from = net.machine_freed[use.machine.index()], .plus = -1});
+  for (const MachineUse& use : operation.frees) {
     arcs.push_back({.from = net.machine_claimed[use.machine.index()]});
-  for (const auto* left : {&operation.uses, &operation.frees}) {
-    for (const MachineUse& use : *left)
-      net.net[net.machine_freed[use.machine.index()]].sources.push_back({net.freed[o], 1});
+    net.net[net.machine_freed[use.machine.index()]].sources.push_back({net.freed[o], 1});
   }
   for (const MachineUse& use : operation.claims)
     net.net[net.machine_claimed[use.machine.index()]].sources.push_back({net.ends[o], 1});

@@ -3,12 +3,11 @@
 #include <set>
 
 #include "conditions.hpp"
+#include "net_words.hpp"
 #include "task_net.hpp"
 
 namespace linewright::bounds {
 namespace {
-
-std::size_t at(std::int32_t id) { return static_cast<std::size_t>(id); }
 
 /// Items that every execution moves into (or out of) the place in any case.
 int certain_items(const Task& task, PlaceId place, bool into) {
@@ -45,8 +44,29 @@ void need_tokens(LineNet& net, std::size_t t, PlaceId place, int value) {
   need(net, t, net.arrivals[place.index()], certain_items(net.line.tasks[t], place, false), value);
 }
 
-/// There must be room for `value` tokens; and what that says of machines that must be free: each
-/// token that has left the place has been taken by an operation that held one of them.
+/// Each token that has left the place has been taken by an operation that held the machine: the
+/// event that it has let it go again. None: it is not so.
+std::optional<int> let_go_by_takers(LineNet& net, PlaceId place, MachineId machine) {
+  Event let_go{.name = net.line.machines[machine.index()].name + " let go again", .counts = true};
+  bool claimed = false;
+  for (const Flow& flow : net.flows) {
+    const int taken = tokens_in(flow.takes, place.value);
+    if (taken == 0) continue;
+    if (taken > 1 || !flow.operation) return std::nullopt;
+    const Operation& operation = net.line.operations[flow.operation->index()];
+    if (find(operation.uses, machine) != nullptr) {
+      let_go.sources.push_back({net.freed[flow.operation->index()], 1});
+    } else if (find(operation.claims, machine) != nullptr) {
+      claimed = true;
+    } else {
+      return std::nullopt;
+    }
+  }
+  if (claimed) let_go.sources.push_back({net.machine_freed[machine.index()], 1});
+  return net.net.add(std::move(let_go));
+}
+
+/// There must be room for `value` tokens; and what that says of machines that must be free.
 void need_room(LineNet& net, std::size_t t, PlaceId place, int value) {
   const Place& where = net.line.places[place.index()];
   if (where.berth || !where.capacity) return;
@@ -56,23 +76,8 @@ void need_room(LineNet& net, std::size_t t, PlaceId place, int value) {
   if (items == 0) return;
   for (const LowerLimit& limit : lower_limits(net.line.tasks[t].when, net.setup.order)) {
     if (limit.variable.kind != VariableKind::kMachineFree) continue;
-    const bool all = std::all_of(net.flows.begin(), net.flows.end(), [&](const Flow& flow) {
-      const bool takes = std::any_of(flow.takes.begin(), flow.takes.end(),
-                                     [&](auto& taken) { return taken.first == place.value; });
-      if (!takes) return true;
-      if (!flow.operation) return false;
-      const Operation& operation = net.line.operations[flow.operation->index()];
-      const auto holds = [&](const std::vector<MachineUse>& uses) {
-        return std::any_of(uses.begin(), uses.end(), [&](const MachineUse& use) {
-          return use.machine.value == limit.variable.index;
-        });
-      };
-      return (holds(operation.uses) || holds(operation.claims)) &&
-             std::all_of(flow.takes.begin(), flow.takes.end(), [&](auto& taken) {
-               return taken.first != place.value || taken.second == 1;
-             });
-    });
-    if (all) need(net, t, net.machine_freed[at(limit.variable.index)], items, plus);
+    const auto let_go = let_go_by_takers(net, place, MachineId(limit.variable.index));
+    if (let_go) need(net, t, *let_go, items, plus);
   }
 }
 

@@ -68,7 +68,6 @@ class Search {
 
  private:
   static constexpr std::size_t kFinal = Lags::kFinal;
-  static constexpr std::size_t kWide = 12;  // labels per state before some are merged
 
   using Layer = std::map<Key, std::vector<Label>>;
 
@@ -151,8 +150,10 @@ class Search {
 
   void extend(std::size_t number, const Key& key, const Label& label) {
     for (std::size_t j = 0; j < problem_.jobs.size(); ++j) {
-      const auto most = static_cast<int>(problem_.jobs[j].variants.size());
-      for (int added = 1; added <= most; ++added) {
+      const JobType& job = problem_.jobs[j];
+      const auto most = static_cast<int>(job.variants.size());
+      const int left = job.supply > 0 ? std::min(most, job.supply - key.units[j]) : most;
+      for (int added = job.supply > 0 ? std::max(1, left) : 1; added <= left; ++added) {
         if (!allowed(key.units, j, added)) continue;
         take(number, key, label, j, added);
       }
@@ -281,23 +282,7 @@ class Search {
       if (at_most(known, label)) return;
     }
     std::erase_if(list, [&](const Label& known) { return at_most(label, known); });
-    if (list.size() >= kWide) {
-      const auto nearest = std::min_element(
-          list.begin(), list.end(),
-          [&](const Label& a, const Label& b) { return lost(a, label) < lost(b, label); });
-      merge(label, *nearest);
-      *nearest = std::move(list.back());
-      list.pop_back();
-    }
     list.push_back(std::move(label));
-  }
-
-  /// How much two labels would lose if they were merged.
-  static std::int64_t lost(const Label& a, const Label& b) {
-    std::int64_t sum = std::abs(a.free - b.free);
-    for (std::size_t e = 0; e < a.releases.size(); ++e)
-      sum += std::abs(a.releases[e] - b.releases[e]);
-    return sum;
   }
 
   const SequenceProblem& problem_;

@@ -35,6 +35,9 @@ struct JobType {
   Tick before = 0;  ///< ticks from taking it to setting out, and from arriving to the anchor
   Tick least = 0;   ///< least ticks of the way there
   std::vector<Variant> variants;
+  /// Above 0: so many units there are in all, and each execution moves as many as fit of what is
+  /// left of them.
+  int supply = 0;
   std::vector<JobEnd> ends;
 };
 

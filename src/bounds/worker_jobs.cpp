@@ -3,6 +3,7 @@
 
 #include "sequence.hpp"
 #include "task_net.hpp"
+#include "transfers.hpp"
 
 namespace linewright::bounds {
 namespace {
@@ -162,7 +163,23 @@ class WorkerJob {
         variant.units.push_back(*begins + unloads.before + item * each);
     }
     job_.unit = events_at(batching.unloads).item;
+    job_.supply = supply_of(batching).value_or(0);
     return true;
+  }
+
+  /// Where each execution brings as many as its carrier holds of what is left, and all of them fit:
+  /// how many there are in all.
+  [[nodiscard]] std::optional<int> supply_of(const Batching& batching) const {
+    if (!batching.loads || task_.max_running != 1) return std::nullopt;
+    const auto& loads = std::get<TransferAction>(action_at(task_, *batching.loads).what);
+    const auto& unloads = std::get<TransferAction>(action_at(task_, batching.unloads).what);
+    const PlaceId place = *unloads.destination.place;
+    const auto capacity = net_.line.places[place.index()].capacity;
+    const auto before = most_when_chosen(net_, task_, place, events_at(batching.unloads).item);
+    const bool fits =
+        !capacity || (before && *before + events_at(*batching.loads).most <= *capacity);
+    if (!fits) return std::nullopt;
+    return supply_loaded(net_, task_, loads, events_at(*batching.loads).item);
   }
 
   const LineNet& net_;

@@ -22,7 +22,7 @@ struct BoundOptions {
   /// Most states that the sequencing of one resource keeps per number of units done; where there
   /// are more, some are merged. More: a higher bound where a kind has one worker (on the duct line
   /// some ticks for each doubling), in time in proportion (5000: seconds); 0: without sequencing.
-  std::size_t most_states = 5000;
+  std::size_t most_states = 10000;
 };
 
 /// Lower bounds of the makespan of one setup, the best first (ties: in the order of their kinds).
