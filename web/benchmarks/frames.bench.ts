@@ -1,4 +1,5 @@
-// Measures on the page: how soon a log is on the screen, and frames per second while it plays. Prints; asserts nothing.
+// Measures on the page: how soon a log is on the screen, first in a browser that has just been started and has not drawn
+// in 3D yet, and frames per second while it plays. Prints; asserts nothing.
 // Run with `make web-bench`. SIZE=1920x1080 and MEASURE_SECONDS=20 change what is measured.
 
 import { test } from 'vitest';
@@ -22,6 +23,10 @@ test('the page', async () => {
     ],
     ['50 people and 50 robots', [{ name: 'crowd', text: crowdLog(50, 600) }]],
   ];
+  const first = await openPage(browser, exported(cases[0]![1]), { viewport: { width, height } });
+  const coldAfter = await first.page.evaluate(() => window.linewright.shownAfterMs());
+  console.log(`first page of a new browser: ${cases[0]![0]}: on screen ${Math.round(coldAfter)} ms after opening`);
+  await first.page.context().close();
   for (const [what, logs] of cases) {
     const { page } = await openPage(browser, exported(logs), { viewport: { width, height } });
     const shownAfter = await page.evaluate(() => window.linewright.shownAfterMs());

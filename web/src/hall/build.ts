@@ -38,7 +38,7 @@ export class Builder {
       this.positions.push(this.vector.x, this.vector.y, this.vector.z);
       this.vector.fromBufferAttribute(normal, i);
       const light = brightness(this.vector);
-      this.colours.push(this.colour.r * light, this.colour.g * light, this.colour.b * light);
+      this.colours.push(this.colour.r * light, this.colour.g * light, this.colour.b * light, 1);
     }
     return this;
   }
@@ -73,7 +73,7 @@ export class Builder {
   done(): BufferGeometry {
     const geometry = new BufferGeometry();
     geometry.setAttribute('position', new BufferAttribute(new Float32Array(this.positions), 3));
-    geometry.setAttribute('color', new BufferAttribute(new Float32Array(this.colours), 3));
+    geometry.setAttribute('color', new BufferAttribute(new Float32Array(this.colours), 4));
     return geometry;
   }
 }
@@ -102,7 +102,7 @@ function shapeOf(polygon: readonly Point[]): Shape {
   return shape;
 }
 
-/** A ring around the polygon that fades from dark to nothing: where it touches the floor. */
+/** A ring around the polygon (counter-clockwise) that fades from dark to nothing: where it touches the floor. */
 export function contactShadow(polygon: readonly Point[], reach: number, strength: number): BufferGeometry {
   const positions: number[] = [];
   const colours: number[] = [];

@@ -2,23 +2,21 @@
 
 import {
   Color,
-  DynamicDrawUsage,
   Group,
   InstancedMesh,
   Matrix4,
-  MeshBasicMaterial,
   Quaternion,
   RingGeometry,
   Vector3,
   type BufferGeometry,
-  type Material,
+  type MeshBasicMaterial,
 } from 'three';
 import type { Header, Pose } from '../log/header';
 import type { Run } from '../run/run';
 import { kindIndex, pickFrom, type Theme } from '../ui/theme';
 import { discGeometry } from './build';
 import { carrierFigure, personFigure, robotFigure } from './figures';
-import { shadowMaterial } from './floor';
+import { copies, paint, white } from './paint';
 import { spread, type Standing } from './spread';
 
 const UP = new Vector3(0, 1, 0);
@@ -81,14 +79,10 @@ export class Crowd {
       this.addKind(kind, ids, carrierFigure(1.15, 0.8, theme.carrier, this.plain));
     }
     const all = header.workers.length + header.carriers.length;
-    this.shadows = this.instanced(discGeometry(0.75, this.plain ? 8 : 16), shadowMaterial(), all);
+    this.shadows = this.instanced(discGeometry(0.75, this.plain ? 8 : 16), paint({ seeThrough: true }), all);
     this.shadows.renderOrder = -1;
     const ring = new RingGeometry(0.56, 0.74, this.plain ? 14 : 28).rotateX(-Math.PI / 2);
-    this.rings = this.instanced(
-      ring,
-      new MeshBasicMaterial({ transparent: true, opacity: 0.85, depthWrite: false }),
-      header.workers.length,
-    );
+    this.rings = this.instanced(white(ring), paint({ opacity: 0.85 }), header.workers.length);
     this.rings.renderOrder = 0;
   }
 
@@ -133,14 +127,12 @@ export class Crowd {
   }
 
   private addKind(kind: string, ids: string[], figure: BufferGeometry): void {
-    const mesh = this.instanced(figure, new MeshBasicMaterial({ vertexColors: true }), ids.length);
+    const mesh = this.instanced(figure, paint(), ids.length);
     this.figures.set(kind, { mesh, ids });
   }
 
-  private instanced(geometry: BufferGeometry, material: Material, count: number): InstancedMesh {
-    const mesh = new InstancedMesh(geometry, material, count);
-    mesh.instanceMatrix.setUsage(DynamicDrawUsage);
-    mesh.frustumCulled = false;
+  private instanced(geometry: BufferGeometry, material: MeshBasicMaterial, count: number): InstancedMesh {
+    const mesh = copies(geometry, material, count);
     this.group.add(mesh);
     return mesh;
   }

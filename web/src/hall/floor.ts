@@ -3,15 +3,11 @@
 import {
   BufferAttribute,
   BufferGeometry,
-  Color,
-  DoubleSide,
   EdgesGeometry,
   Float32BufferAttribute,
   Group,
-  LineBasicMaterial,
   LineSegments,
   Mesh,
-  MeshBasicMaterial,
   RingGeometry,
 } from 'three';
 import type { Header, Point } from '../log/header';
@@ -19,6 +15,7 @@ import type { Run } from '../run/run';
 import { kindIndex, pickFrom, type Theme } from '../ui/theme';
 import { Builder, contactShadow, flatGeometry, prismGeometry } from './build';
 import { PLINTH_M, type Block, type Layout } from './layout';
+import { paint, white } from './paint';
 
 const WALL_M = 1.1; // walls are drawn low, so that one looks over them
 const RIM_M = 0.25; // the rim around a hall without walls
@@ -32,7 +29,7 @@ export function buildFloor(layout: Layout, header: Header, theme: Theme): Group 
     [x1, y1],
     [x0, y1],
   ];
-  const ground = new Mesh(flatGeometry(floor), new MeshBasicMaterial({ color: theme.floor, depthWrite: false }));
+  const ground = new Mesh(white(flatGeometry(floor)), paint({ colour: theme.floor, flat: true }));
   ground.renderOrder = -4;
   group.add(ground, grid(layout, theme));
   const solid = new Builder();
@@ -40,16 +37,9 @@ export function buildFloor(layout: Layout, header: Header, theme: Theme): Group 
   const edges = new EdgeLines();
   for (const block of layout.blocks) addBlock(block, theme, solid, glass, edges);
   if (!layout.ownWalls) rim(layout, theme, solid);
-  if (!solid.empty) group.add(new Mesh(solid.done(), new MeshBasicMaterial({ vertexColors: true })));
+  if (!solid.empty) group.add(new Mesh(solid.done(), paint()));
   if (!glass.empty) {
-    const material = new MeshBasicMaterial({
-      vertexColors: true,
-      transparent: true,
-      opacity: 0.2,
-      depthWrite: false,
-      side: DoubleSide,
-    });
-    const mesh = new Mesh(glass.done(), material);
+    const mesh = new Mesh(glass.done(), paint({ opacity: 0.2 }));
     mesh.renderOrder = 5;
     group.add(mesh);
   }
@@ -92,14 +82,10 @@ function grid({ bounds: { x0, x1, y0, y1 } }: Layout, theme: Theme): LineSegment
 
 function shadowOf(polygon: readonly Point[], reach: number, theme: Theme): Mesh {
   const strength = theme.name === 'dark' ? 0.5 : 0.22;
-  const mesh = new Mesh(contactShadow(polygon, reach, strength), shadowMaterial());
+  const mesh = new Mesh(contactShadow(polygon, reach, strength), paint({ seeThrough: true }));
   mesh.position.y = 0.01;
   mesh.renderOrder = -2;
   return mesh;
-}
-
-export function shadowMaterial(): MeshBasicMaterial {
-  return new MeshBasicMaterial({ vertexColors: true, transparent: true, depthWrite: false, side: DoubleSide });
 }
 
 /** A ring where somebody stands, with a short line where they look. */
@@ -120,10 +106,7 @@ function stationMarks(header: Header, theme: Theme): Group {
     }
   }
   if (rings.empty) return group;
-  const mesh = new Mesh(
-    rings.done(),
-    new MeshBasicMaterial({ vertexColors: true, transparent: true, opacity: 0.55, depthWrite: false }),
-  );
+  const mesh = new Mesh(rings.done(), paint({ opacity: 0.55 }));
   mesh.renderOrder = -1;
   group.add(mesh);
   return group;
@@ -155,13 +138,7 @@ export function buildRoutes(run: Run, theme: Theme): LineSegments {
 export function buildZones(header: Header, theme: Theme): Map<string, Mesh> {
   const zones = new Map<string, Mesh>();
   for (const { name, polygon } of header.zones) {
-    const material = new MeshBasicMaterial({
-      color: theme.closed,
-      transparent: true,
-      opacity: 0.28,
-      depthWrite: false,
-    });
-    const mesh = new Mesh(flatGeometry(polygon), material);
+    const mesh = new Mesh(white(flatGeometry(polygon)), paint({ colour: theme.closed, opacity: 0.28 }));
     mesh.position.y = 0.025;
     zones.set(name, mesh);
   }
@@ -171,13 +148,7 @@ export function buildZones(header: Header, theme: Theme): Map<string, Mesh> {
 function segments(points: number[], colour: string, opacity: number): LineSegments {
   const geometry = new BufferGeometry();
   geometry.setAttribute('position', new Float32BufferAttribute(points, 3));
-  const material = new LineBasicMaterial({
-    color: new Color(colour),
-    transparent: opacity < 1,
-    opacity,
-    depthWrite: false,
-  });
-  return new LineSegments(geometry, material);
+  return new LineSegments(white(geometry), paint({ colour, opacity, flat: true }));
 }
 
 /** Collects edges of shapes into one set of lines. */

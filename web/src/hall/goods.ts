@@ -1,6 +1,6 @@
 // The items: boxes in the colour of their material, where they lie and in the carriers that hold them.
 
-import { Color, DynamicDrawUsage, Group, InstancedMesh, Matrix4, MeshBasicMaterial, Quaternion, Vector3 } from 'three';
+import { Color, Group, Matrix4, Quaternion, Vector3, type InstancedMesh } from 'three';
 import type { Run } from '../run/run';
 import { pickFrom, type Theme } from '../ui/theme';
 import type { Scene } from './crowd';
@@ -8,6 +8,7 @@ import { itemFigure } from './figures';
 import type { Heads } from './heads';
 import type { Layout } from './layout';
 import { ITEM_M } from './material_places';
+import { copies, paint } from './paint';
 import { Piles, type Pile } from './piles';
 
 const MOST_SHOWN = 36; // of one place; the label says how many there are
@@ -77,9 +78,7 @@ export class Goods {
       this.group.remove(this.mesh);
       this.mesh.dispose();
     }
-    this.mesh = new InstancedMesh(itemFigure(), new MeshBasicMaterial({ vertexColors: true }), Math.max(64, count * 2));
-    this.mesh.instanceMatrix.setUsage(DynamicDrawUsage);
-    this.mesh.frustumCulled = false;
+    this.mesh = copies(itemFigure(), paint(), Math.max(64, count * 2));
     this.group.add(this.mesh);
   }
 }

@@ -1,7 +1,8 @@
 // The ways ahead of those who move: ribbons on the floor in the colour of their task.
 
-import { BufferAttribute, BufferGeometry, Color, DoubleSide, DynamicDrawUsage, Mesh, MeshBasicMaterial } from 'three';
+import { BufferAttribute, BufferGeometry, Color, DynamicDrawUsage, Mesh, type MeshBasicMaterial } from 'three';
 import type { Pose } from '../log/header';
+import { paint } from './paint';
 
 export interface Way {
   points: Pose[];
@@ -15,14 +16,7 @@ export class Paths {
   private readonly colour = new Color();
 
   constructor() {
-    const material = new MeshBasicMaterial({
-      vertexColors: true,
-      transparent: true,
-      opacity: 0.8,
-      side: DoubleSide,
-      depthWrite: false,
-    });
-    this.mesh = new Mesh(new BufferGeometry(), material);
+    this.mesh = new Mesh(new BufferGeometry(), paint({ opacity: 0.8 }));
     this.mesh.frustumCulled = false;
   }
 
@@ -37,7 +31,7 @@ export class Paths {
       for (let i = 0; i + 1 < way.points.length; ++i) {
         for (const [x, y] of quad(way.points[i]!, way.points[i + 1]!, way.width)) {
           position.setXYZ(next, x, 0.06, -y);
-          colour.setXYZ(next, this.colour.r, this.colour.g, this.colour.b);
+          colour.setXYZW(next, this.colour.r, this.colour.g, this.colour.b, 1);
           next += 1;
         }
       }
@@ -52,8 +46,11 @@ export class Paths {
     this.room = Math.max(600, corners * 2);
     this.mesh.geometry.dispose();
     this.mesh.geometry = new BufferGeometry();
-    for (const name of ['position', 'color']) {
-      const attribute = new BufferAttribute(new Float32Array(this.room * 3), 3);
+    for (const [name, size] of [
+      ['position', 3],
+      ['color', 4],
+    ] as const) {
+      const attribute = new BufferAttribute(new Float32Array(this.room * size), size);
       this.mesh.geometry.setAttribute(name, attribute.setUsage(DynamicDrawUsage));
     }
   }
@@ -68,5 +65,5 @@ function quad(a: Pose, b: Pose, width: number): [number, number][] {
     [b.x - nx, b.y - ny],
     [b.x + nx, b.y + ny],
   ];
-  return [corners[0]!, corners[1]!, corners[2]!, corners[0]!, corners[2]!, corners[3]!];
+  return [corners[0]!, corners[2]!, corners[1]!, corners[0]!, corners[3]!, corners[2]!]; // seen from above
 }

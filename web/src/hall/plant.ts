@@ -1,17 +1,7 @@
 // The machines: a body where each stands, a band around it in the colour of its state, and for those that move
 // between positions a gantry whose head follows the material.
 
-import {
-  Color,
-  DynamicDrawUsage,
-  Group,
-  InstancedMesh,
-  Matrix4,
-  Mesh,
-  MeshBasicMaterial,
-  Quaternion,
-  Vector3,
-} from 'three';
+import { BoxGeometry, Color, Group, Matrix4, Mesh, Quaternion, Vector3, type BufferGeometry, type InstancedMesh } from 'three';
 import type { MachineInterval } from '../run/machines';
 import type { Run } from '../run/run';
 import type { Theme } from '../ui/theme';
@@ -20,6 +10,7 @@ import { Builder } from './build';
 import { BEAM_M, type Heads } from './heads';
 import type { Layout } from './layout';
 import { isBelt, type MachineSpot } from './machine_places';
+import { copies, paint, white } from './paint';
 
 const STILL = new Quaternion();
 
@@ -43,18 +34,13 @@ export class Plant {
       if (machine.overhead) addGantry(machine, theme, body);
       else addBody(machine, theme, body);
     }
-    if (!body.empty) this.group.add(new Mesh(body.done(), new MeshBasicMaterial({ vertexColors: true })));
-    const cube = new Builder().box([1, 1, 1], [0, 0, -0.5], '#ffffff').done();
-    this.bands = this.instanced(cube, new MeshBasicMaterial(), layout.machines.length);
+    if (!body.empty) this.group.add(new Mesh(body.done(), paint()));
+    this.bands = this.instanced(white(new BoxGeometry(1, 1, 1)), layout.machines.length);
     const head = new Builder()
       .box([0.7, 0.7, 0.5], [0, 0, BEAM_M - 0.5], '#ffffff')
       .pillar([0.08, 0.08], 1.2, [0, 0, BEAM_M - 1.7], '#ffffff')
       .box([0.5, 0.5, 0.08], [0, 0, BEAM_M - 1.75], '#ffffff');
-    this.heads = this.instanced(
-      head.done(),
-      new MeshBasicMaterial({ vertexColors: true }),
-      Math.max(1, this.gantries.length),
-    );
+    this.heads = this.instanced(head.done(), Math.max(1, this.gantries.length));
     this.heads.count = this.gantries.length;
   }
 
@@ -89,10 +75,8 @@ export class Plant {
     return interval ? this.theme[interval.state] : this.theme.machine;
   }
 
-  private instanced(geometry: ReturnType<Builder['done']>, material: MeshBasicMaterial, count: number): InstancedMesh {
-    const mesh = new InstancedMesh(geometry, material, count);
-    mesh.instanceMatrix.setUsage(DynamicDrawUsage);
-    mesh.frustumCulled = false;
+  private instanced(geometry: BufferGeometry, count: number): InstancedMesh {
+    const mesh = copies(geometry, paint(), count);
     this.group.add(mesh);
     return mesh;
   }

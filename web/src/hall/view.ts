@@ -5,11 +5,11 @@ import {
   Group,
   LineSegments,
   Mesh,
-  MeshBasicMaterial,
   RingGeometry,
   Scene as Stage,
   Vector3,
   WebGLRenderer,
+  type MeshBasicMaterial,
   type Object3D,
 } from 'three';
 import type { Pose } from '../log/header';
@@ -24,6 +24,7 @@ import { hallLabels } from './hall_labels';
 import { Heads } from './heads';
 import { Labels } from './labels';
 import { layOut, type Layout } from './layout';
+import { paint, white } from './paint';
 import { Paths, type Way } from './paths';
 import { Plant } from './plant';
 
@@ -69,8 +70,8 @@ export class HallView {
     this.colours = new TaskColours(run.header);
     this.eye = new HallCamera(this.renderer.domElement, this.layout.bounds, tallest(this.layout), changed);
     this.ring = new Mesh(
-      new RingGeometry(0.8, 0.92, 32).rotateX(-Math.PI / 2),
-      new MeshBasicMaterial({ color: theme.ink }),
+      white(new RingGeometry(0.8, 0.92, 32).rotateX(-Math.PI / 2)),
+      paint({ colour: theme.ink }),
     );
     this.stage.add(this.paths.mesh, this.ring);
     this.build();
