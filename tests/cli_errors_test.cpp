@@ -49,6 +49,7 @@ INSTANTIATE_TEST_SUITE_P(
         Wrong{"solve scenarios/duct_line.yaml --rollouts 5 --allocator no_spatial",
               "draws at random"},
         Wrong{"tune-priority scenarios/duct_line.yaml --runs 0", "--runs"},
+        Wrong{"tune-priority scenarios/duct_line.yaml --runs 10 --exhaustive", "--exhaustive"},
         Wrong{"simulate scenarios/duct_line.yaml --planner first:3", "takes no '3'"},
         Wrong{"simulate scenarios/duct_line.yaml --humans 7", "made for 1 to 3"},
         Wrong{"simulate scenarios/duct_line.yaml --humans two", "is no count"},

@@ -189,6 +189,22 @@ TEST(TunePriority, StopsWhenCancelledAndKeepsTheBest) {
   EXPECT_LT(tuned.runs, 5000U);
 }
 
+TEST(TunePriority, OfAllOrdersIsNoWorseThanTheSearch) {
+  const Simulator& simulator = *shipped_line("scenarios/teaching/kitting_cell.yaml").simulator;
+  TuneOptions options{.crews = {RunOptions{}}, .starts = 4, .most_runs = 400};
+  const TunedPriority searched = tune_priority(simulator, options);
+  const TunedPriority all = try_all_orders(simulator, options);
+  EXPECT_LE(all.makespan, searched.makespan);
+  EXPECT_EQ(all.order.size(), simulator.line().tasks.size());
+  EXPECT_EQ(all.success_rate, 1.0);
+  options.threads = 1;
+  EXPECT_EQ(try_all_orders(simulator, options).order, all.order);
+  CancelToken cancel;
+  cancel.request();
+  options.cancel = &cancel;
+  EXPECT_EQ(try_all_orders(simulator, options).order.size(), all.order.size());
+}
+
 TEST(Solve, FindsAPlanThatReplaysToItsMakespan) {
   const Simulator& simulator = *shipped_line(kDuctLine).simulator;
   for (const bool free : {false, true}) {

@@ -21,6 +21,7 @@ struct TuneArguments {
   RunArguments run;
   std::size_t starts = 50;
   std::size_t runs = 300'000;
+  bool all = false;
   std::size_t threads = 0;
   std::string out;
 };
@@ -44,11 +45,16 @@ PriorityEntry tune(const TuneArguments& arguments, const Simulator& simulator,
                       .threads = arguments.threads,
                       .cancel = &interrupted(),
                       .progress = {}};
+  // Of all orders, most of the runs are those of the first round: each crew once.
+  const std::size_t runs =
+      arguments.all ? orders_of(simulator.line()) * options.crews.size() : arguments.runs;
   options.progress = [&](const TunedPriority& best) {
-    bar.update(std::min(best.runs, arguments.runs), arguments.runs,
-               fmt::format("best {:.1f}", best.makespan));
+    bar.update(std::min(best.runs, runs), runs,
+               best.makespan > 0.0 ? fmt::format("best {:.1f}", best.makespan) : "");
   };
-  return {.allocator = allocator, .tuned = tune_priority(simulator, options)};
+  return {.allocator = allocator,
+          .tuned = arguments.all ? try_all_orders(simulator, options)
+                                 : tune_priority(simulator, options)};
 }
 
 std::string to_text(const LineModel& line, const std::vector<PriorityEntry>& entries,
@@ -81,11 +87,22 @@ int tune_command(const TuneArguments& arguments) {
   const std::vector<std::string> allocators = allocators_of(arguments.run.configuration.allocator);
   const Scenario scenario = load(arguments.run.scenario);
   const Simulator simulator(std::make_shared<const LineModel>(scenario.line));
+  if (arguments.all && orders_of(scenario.line) > kMostOrders) {
+    throw ScenarioError(scenario.file,
+                        fmt::format("has {} tasks, and --exhaustive tries every order of at most 9",
+                                    scenario.line.tasks.size()),
+                        "leave out --exhaustive: the search finds a good order with any number");
+  }
   std::vector<PriorityEntry> entries;
   for (const std::string& allocator : allocators) {
     if (entries.empty() || !interrupted().requested()) {
       entries.push_back(tune(arguments, simulator, allocator));
     }
+  }
+  std::erase_if(entries, [](const PriorityEntry& e) { return e.tuned.makespan <= 0.0; });
+  if (entries.empty()) {
+    report("interrupted before the first round was over: no order is known, nothing is written");
+    return kInterrupted;
   }
   const std::string file = arguments.out.empty() ? priority_file_of(scenario.file) : arguments.out;
   write_file(file, priority_text(scenario.line, scenario.content_hash, entries));
@@ -114,11 +131,14 @@ Command add_tune_priority(CLI::App& app) {
       ->capture_default_str()
       ->check(CLI::Range(std::size_t{1}, std::size_t{100'000}))
       ->type_name("N");
-  app.add_option("--runs", arguments->runs,
-                 "Simulated runs after which the search ends, per allocator")
-      ->capture_default_str()
-      ->check(CLI::Range(std::size_t{1}, std::size_t{1'000'000'000}))
-      ->type_name("N");
+  auto* runs = app.add_option("--runs", arguments->runs,
+                              "Simulated runs after which the search ends, per allocator")
+                   ->capture_default_str()
+                   ->check(CLI::Range(std::size_t{1}, std::size_t{1'000'000'000}))
+                   ->type_name("N");
+  app.add_flag("--exhaustive", arguments->all,
+               "Instead of a search: try every order (at most 9 tasks; minutes)")
+      ->excludes(runs);
   app.add_option("--threads", arguments->threads,
                  "Threads; 0: one per core. The result does not depend on it")
       ->capture_default_str()

@@ -3,27 +3,19 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <memory>
 #include <optional>
 #include <utility>
 
-#include "linewright/allocation/allocator.hpp"
 #include "linewright/base/random.hpp"
 #include "linewright/base/worker_pool.hpp"
-#include "linewright/planning/episode.hpp"
-#include "priority_planner.hpp"
+#include "order_runs.hpp"
 
 namespace linewright {
 namespace {
 
+using planning::OrderRuns;
 using planning::PriorityPlanner;
 using Order = std::vector<TaskId>;
-
-/// One start: a crew and its positions.
-struct Start {
-  RunSetup setup;
-  std::uint64_t seed = 0;
-};
 
 /// What each start gave; shorter than the starts when the order was dropped.
 struct Results {
@@ -42,38 +34,20 @@ constexpr std::array<Stage, 4> kStages{{{0.04, 2.0}, {0.12, 1.0}, {0.35, 0.0}, {
 
 constexpr std::size_t kBatch = 16;  ///< orders that race side by side
 
-/// What one thread runs orders with.
-struct Runner {
-  Runner(const Simulator& simulator, const std::string& name)
-      : planner({}), allocator(make_allocator(name, simulator)) {}
-
-  PriorityPlanner planner;
-  std::unique_ptr<Allocator> allocator;
-  SimulationState state;
-};
-
 class Tuner {
  public:
   Tuner(const Simulator& simulator, const TuneOptions& options)
-      : simulator_(simulator),
+      : runs_of_(simulator, options),
+        tasks_(simulator.line().tasks.size()),
         options_(options),
         pool_(options.threads),
         random_(RandomStream::derive(options.seed, "tune search")) {
-    // The crews take turns, so that every stage of a race has all of them.
-    for (std::size_t s = 0; s < options.starts; ++s) {
-      for (const RunOptions& crew : options.crews) {
-        const std::uint64_t seed = RandomStream::derive(options.seed, "tune start", s).next();
-        starts_.push_back({.setup = sample_setup(simulator.line(), crew, seed), .seed = seed});
-      }
-    }
-    for (std::size_t t = 0; t < pool_.size(); ++t) {
-      runners_.push_back(std::make_unique<Runner>(simulator, options.allocator));
-    }
+    for (std::size_t t = 0; t < pool_.size(); ++t) runners_.push_back(runs_of_.runner());
   }
 
   TunedPriority run() {
     Order order;
-    for (std::size_t t = 0; t < simulator_.line().tasks.size(); ++t) order.emplace_back(t);
+    for (std::size_t t = 0; t < tasks_; ++t) order.emplace_back(t);
     best_ = order;
     best_results_ = evaluate({order}, nullptr).front();
     note();
@@ -87,7 +61,7 @@ class Tuner {
       }
       Results away_results = evaluate({away}, nullptr).front();
       descend(away, away_results);
-      if (away_results.makespan.size() < starts_.size()) continue;  // stopped meanwhile
+      if (away_results.makespan.size() < runs_of_.count()) continue;  // stopped meanwhile
       if (away_results.sum <= home_results.sum) {
         home = std::move(away);
         home_results = std::move(away_results);
@@ -119,7 +93,7 @@ class Tuner {
       const std::vector<Results> all = evaluate(batch, &results);
       std::optional<std::size_t> least;
       for (std::size_t i = 0; i < all.size(); ++i) {
-        const bool complete = all[i].makespan.size() == starts_.size();
+        const bool complete = all[i].makespan.size() == runs_of_.count();
         if (complete && all[i].sum < (least ? all[*least] : results).sum) least = i;
       }
       if (!least) continue;
@@ -145,7 +119,7 @@ class Tuner {
   }
 
   void consider(const Order& order, const Results& results) {
-    if (results.makespan.size() == starts_.size() && results.sum < best_results_.sum) {
+    if (results.makespan.size() == runs_of_.count() && results.sum < best_results_.sum) {
       best_ = order;
       best_results_ = results;
     }
@@ -169,34 +143,27 @@ class Tuner {
     std::vector<Results> results(orders.size());
     pool_.run(orders.size(), [&](std::size_t begin, std::size_t end, std::size_t thread) {
       for (std::size_t i = begin; i < end; ++i)
-        race(*runners_[thread], orders[i], rival, results[i]);
+        race(runners_[thread], orders[i], rival, results[i]);
     });
     for (const Results& result : results) runs_ += result.makespan.size();
     return results;
   }
 
-  void race(Runner& runner, const Order& order, const Results* rival, Results& results) const {
+  void race(OrderRuns::Runner& runner, const Order& order, const Results* rival,
+            Results& results) const {
     runner.planner = PriorityPlanner(order);
     for (const Stage& stage : kStages) {
       const auto end = static_cast<std::size_t>(
-          std::ceil(stage.share * static_cast<double>(starts_.size()) - 1e-9));
+          std::ceil(stage.share * static_cast<double>(runs_of_.count()) - 1e-9));
       for (std::size_t s = results.makespan.size(); s < end; ++s) {
         if (cancelled()) return;
-        play(runner, starts_[s], results);
+        const OrderRuns::Result result = runs_of_.play(runner, s);
+        results.makespan.push_back(result.makespan);
+        results.sum += result.makespan;
+        results.finished += result.finished ? 1 : 0;
       }
       if (rival != nullptr && loses(results, *rival, stage.most_errors)) return;
     }
-  }
-
-  void play(Runner& runner, const Start& start, Results& results) const {
-    run_episode(simulator_, runner.state, start.setup, start.seed, runner.planner,
-                *runner.allocator);
-    const bool finished = runner.state.status == RunStatus::kFinished;
-    const double makespan =
-        finished ? runner.state.now : 2.0 * static_cast<double>(start.setup.horizon);
-    results.makespan.push_back(makespan);
-    results.sum += makespan;
-    results.finished += finished ? 1 : 0;
   }
 
   /// Whether the differences, start by start, are too large on average.
@@ -214,12 +181,12 @@ class Tuner {
     return mean >= 0.0 && mean >= most_errors * std::sqrt(variance / static_cast<double>(count));
   }
 
-  const Simulator& simulator_;
+  OrderRuns runs_of_;
+  std::size_t tasks_;
   const TuneOptions& options_;
   WorkerPool pool_;
   RandomStream random_;
-  std::vector<Start> starts_;
-  std::vector<std::unique_ptr<Runner>> runners_;
+  std::vector<OrderRuns::Runner> runners_;
   Order best_;
   Results best_results_;
   std::size_t runs_ = 0;
