@@ -26,7 +26,7 @@ struct RoutesArguments {
 };
 
 /// Ctrl-C while the routes are planned ends in a ScenarioError, too.
-Scenario load(const RoutesArguments& arguments) {
+Scenario load_for_routes(const RoutesArguments& arguments) {
   ProgressBar bar("routes");
   std::mutex drawing;
   LoadOptions options;
@@ -127,7 +127,7 @@ int show(const RoutesArguments& arguments) {
   check_picture(arguments);
   Scenario scenario;
   try {
-    scenario = load(arguments);
+    scenario = load_for_routes(arguments);
   } catch (const ScenarioError&) {
     if (interrupted().requested()) return interrupted_code();
     throw;

@@ -16,7 +16,7 @@ constexpr std::size_t kMostDiscarded = 1U << 20U;
 constexpr auto kRequestTime = std::chrono::seconds(5);  // for a whole request, or between two
 constexpr auto kSendTime = std::chrono::seconds(20);    // for every piece
 constexpr auto kGrowth = std::chrono::milliseconds(40);
-constexpr auto kFarewell = std::chrono::seconds(1);
+constexpr auto kLastWords = std::chrono::seconds(1);
 
 }  // namespace
 
@@ -142,7 +142,7 @@ void ViewSession::close_gently() {
   error_code ignored;
   stream_.socket().shutdown(asio::ip::tcp::socket::shutdown_send, ignored);
   offset_ = 0;
-  stream_.expires_after(kFarewell);
+  stream_.expires_after(kLastWords);
   discard();
 }
 
