@@ -50,7 +50,7 @@ deps-learn:
 deps-bench:
 	@tools/install_dependencies.sh build learn bench
 deps-test:
-	@tools/install_dependencies.sh build learn fuzz bench web web-test
+	@tools/install_dependencies.sh build learn fuzz bench solver web web-test
 deps-web:
 	@tools/install_dependencies.sh web
 deps-web-test:

@@ -53,6 +53,18 @@ function(linewright_add_repository_test)
   endif()
 endfunction()
 
+# apps/solver/*_test.py: with LINEWRIGHT_ORTOOLS=PYTHON in the environment, a Python that has ortools,
+# what the solver proves is tested, too.
+function(linewright_add_solver_test)
+  find_package(Python3 COMPONENTS Interpreter QUIET)
+  if(NOT LINEWRIGHT_BUILD_TESTS OR NOT Python3_FOUND)
+    return()
+  endif()
+  add_test(NAME solver_test.relaxation
+    COMMAND sh -c "PYTHONDONTWRITEBYTECODE=1 \"\${LINEWRIGHT_ORTOOLS:-${Python3_EXECUTABLE}}\" relaxation_test.py"
+    WORKING_DIRECTORY "${PROJECT_SOURCE_DIR}/apps/solver")
+endfunction()
+
 # benchmarks/*.cpp -> one program each, in <build folder>/benchmarks. The sources of x_benchmark.cpp
 # are also benchmarks/x/*.cpp; a program without a main function of its own is Google Benchmark's.
 function(linewright_add_benchmarks)

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Installs the Debian/Ubuntu packages that are missing, and does nothing when none is.
-# usage: tools/install_dependencies.sh [build] [learn] [fuzz] [lint] [bench] [web] [web-test]     (default: build)
+# usage: tools/install_dependencies.sh [build] [learn] [fuzz] [lint] [bench] [solver] [web] [web-test]     (default: build)
 set -euo pipefail
 
 packages=()
@@ -26,6 +26,9 @@ for group in "${@:-build}"; do
     bench)  # to compare with; tests and benchmarks do without it where it is missing
       packages+=(libompl-dev)
       ;;
+    solver)  # apps/solver without ortools, which is what its tests can do without
+      packages+=(python3)
+      ;;
     web)  # any Node.js from 18.19 on will do, whoever packaged it; Debian's has npm in a package of its own
       if ! command -v npm >/dev/null ||
         ! node -e 'const [a, b] = process.versions.node.split("."); process.exit(a > 18 || (a == 18 && b >= 19) ? 0 : 1)'; then
@@ -38,7 +41,7 @@ for group in "${@:-build}"; do
       programs+=(chromium)
       ;;
     *)
-      echo "unknown group '$group'; the groups are: build learn fuzz lint bench web web-test" >&2
+      echo "unknown group '$group'; the groups are: build learn fuzz lint bench solver web web-test" >&2
       exit 2
       ;;
   esac
