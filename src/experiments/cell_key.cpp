@@ -7,6 +7,7 @@
 #include "linewright/base/diagnostic.hpp"
 #include "linewright/base/files.hpp"
 #include "linewright/base/hash.hpp"
+#include "linewright/bounds/lower_bounds.hpp"
 #include "linewright/evaluation/event_log_writer.hpp"
 #include "linewright/experiments/cell.hpp"
 #include "linewright/planning/episode.hpp"
@@ -50,11 +51,25 @@ std::unique_ptr<Planner> probing_planner(const ExperimentCell& cell, const Scena
   }
 }
 
+/// All bounds of the smallest and the largest crew, with few states: what is quick to know, and
+/// different when the arguments are.
+std::string bounds_of(const ExperimentCell& cell, const Scenario& scenario) {
+  constexpr std::size_t kFew = 100;
+  const std::vector<RunOptions> crews = experiments::crews_of(cell, scenario);
+  std::string text = fmt::format("{}", BoundOptions{}.most_states);
+  for (const RunOptions& crew : {crews.front(), crews.back()}) {
+    const RunSetup setup = experiments::setup_of(cell, scenario, crew, 0);
+    for (const Bound& bound : lower_bounds(scenario.line, setup, {.most_states = kFew}))
+      text += fmt::format(" {} {}", bound.name, bound.ticks);
+  }
+  return text;
+}
+
 /// How the first run of the largest crew goes.
 std::string behaviour_of(const ExperimentCell& cell, const Scenario& scenario) {
+  if (!cell.bound.empty()) return bounds_of(cell, scenario);
   const RunOptions crew = experiments::crews_of(cell, scenario).back();
   const RunSetup setup = experiments::setup_of(cell, scenario, crew, 0);
-  if (!cell.bound.empty()) return std::to_string(experiments::bound_of(scenario, setup, nullptr));
   const Simulator simulator(std::make_shared<const LineModel>(scenario.line));
   const auto planner = probing_planner(cell, scenario, simulator);
   const auto allocator = make_allocator(cell.allocator, simulator);

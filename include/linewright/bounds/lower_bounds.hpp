@@ -21,7 +21,7 @@ struct Bound {
 struct BoundOptions {
   /// Most states that the sequencing of one resource keeps per number of units done; where there
   /// are more, some are merged. More: a higher bound where a kind has one worker (on the duct line
-  /// some ticks for each doubling), in time in proportion (5000: seconds); 0: without sequencing.
+  /// some ticks for each doubling of a large order), in time in proportion; 0: without sequencing.
   std::size_t most_states = 10000;
 };
 
