@@ -15,7 +15,7 @@ function(linewright_add_cli)
   set_target_properties(linewright PROPERTIES RUNTIME_OUTPUT_DIRECTORY "${PROJECT_BINARY_DIR}")
   if(CMAKE_BUILD_TYPE STREQUAL "Release")
     # Most of what a file costs are the headers of CLI11 and nlohmann-json: several files at once
-    # take a quarter of the time in all.
+    # take less than half of the time in all.
     set_target_properties(linewright PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 6)
   endif()
 endfunction()

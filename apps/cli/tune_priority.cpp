@@ -87,12 +87,6 @@ int tune_command(const TuneArguments& arguments) {
   const std::vector<std::string> allocators = allocators_of(arguments.run.configuration.allocator);
   const Scenario scenario = load(arguments.run.scenario);
   const Simulator simulator(std::make_shared<const LineModel>(scenario.line));
-  if (arguments.all && orders_of(scenario.line) > kMostOrders) {
-    throw ScenarioError(scenario.file,
-                        fmt::format("has {} tasks, and --exhaustive tries every order of at most 9",
-                                    scenario.line.tasks.size()),
-                        "leave out --exhaustive: the search finds a good order with any number");
-  }
   std::vector<PriorityEntry> entries;
   for (const std::string& allocator : allocators) {
     if (entries.empty() || !interrupted().requested()) {

@@ -152,7 +152,12 @@ class Search {
     for (std::size_t j = 0; j < problem_.jobs.size(); ++j) {
       const JobType& job = problem_.jobs[j];
       const auto most = static_cast<int>(job.variants.size());
-      const int left = job.supply > 0 ? std::min(most, job.supply - key.units[j]) : most;
+      // Beyond the columns nothing is counted: the last execution that is may be taken as a smaller
+      // one.
+      const int left =
+          job.supply > 0
+              ? std::min({most, job.supply - key.units[j], lags_.columns() - key.units[j]})
+              : most;
       for (int added = job.supply > 0 ? std::max(1, left) : 1; added <= left; ++added) {
         if (!allowed(key.units, j, added)) continue;
         take(number, key, label, j, added);

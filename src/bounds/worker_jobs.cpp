@@ -178,7 +178,12 @@ class WorkerJob {
     const auto before = most_when_chosen(net_, task_, place, events_at(batching.unloads).item);
     const bool fits =
         !capacity || (before && *before + events_at(*batching.loads).most <= *capacity);
-    if (!fits) return std::nullopt;
+    const bool promised =  // its room, to others
+        std::any_of(net_.line.tasks.begin(), net_.line.tasks.end(), [&](const Task& task) {
+          return std::any_of(task.reserves.begin(), task.reserves.end(),
+                             [&](const Reservation& r) { return r.room && r.place == place; });
+        });
+    if (!fits || promised) return std::nullopt;
     return supply_loaded(net_, task_, loads, events_at(*batching.loads).item);
   }
 

@@ -1,7 +1,10 @@
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 
+#include "linewright/base/diagnostic.hpp"
 #include "linewright/base/worker_pool.hpp"
 #include "order_runs.hpp"
 
@@ -103,6 +106,12 @@ class AllOrders {
 }  // namespace
 
 TunedPriority try_all_orders(const Simulator& simulator, const TuneOptions& options) {
+  if (orders_of(simulator.line()) > kMostOrders) {
+    throw ScenarioError({},
+                        fmt::format("{} has {} tasks, and every order is tried of at most 9",
+                                    simulator.line().name, simulator.line().tasks.size()),
+                        "search instead (without --exhaustive): it takes any number of tasks");
+  }
   return AllOrders(simulator, options).run();
 }
 

@@ -45,9 +45,9 @@ struct TuneOptions {
 [[nodiscard]] TunedPriority tune_priority(const Simulator& simulator, const TuneOptions& options);
 
 /// The same by trying every order there is, `most_runs` aside: after 1, 3, 10 and 30 % of the
-/// starts (each crew at least once) those go on that are within 40, 10, 3 and 1 % of the best.
-/// Progress is told between blocks of runs; the best is known after the first round. Not for more
-/// than kMostOrders.
+/// starts (each crew at least once) those go on whose mean is near the best (60 % of it, divided by
+/// the root of the number of runs). The best is known (`makespan` above 0) after the first round.
+/// Throws ScenarioError as above, and for a line with more than kMostOrders orders.
 [[nodiscard]] TunedPriority try_all_orders(const Simulator& simulator, const TuneOptions& options);
 
 inline constexpr std::size_t kMostOrders = 400'000;  ///< those of nine tasks

@@ -1,6 +1,6 @@
 // How everything in the hall is painted. All geometries and materials are of one make (a colour with an opacity per
-// corner, copies have a colour each), so that three.js needs two shader programs in all. Without a graphics card each
-// program takes some thirty milliseconds, and they stand between opening the page and seeing it.
+// corner, copies have a colour each), so that three.js needs few shader programs. Without a graphics card each takes
+// a while to make, and they stand between opening the page and seeing it.
 
 import {
   BufferAttribute,
@@ -20,7 +20,8 @@ export interface Look {
   flat?: boolean; // lies on the floor: hides nothing
 }
 
-export function paint({ colour = '#ffffff', opacity = 1, seeThrough = opacity < 1, flat = seeThrough }: Look = {}): MeshBasicMaterial {
+export function paint(look: Look = {}): MeshBasicMaterial {
+  const { colour = '#ffffff', opacity = 1, seeThrough = opacity < 1, flat = seeThrough } = look;
   return new MeshBasicMaterial({
     color: colour,
     vertexColors: true,

@@ -1,7 +1,17 @@
 // The machines: a body where each stands, a band around it in the colour of its state, and for those that move
 // between positions a gantry whose head follows the material.
 
-import { BoxGeometry, Color, Group, Matrix4, Mesh, Quaternion, Vector3, type BufferGeometry, type InstancedMesh } from 'three';
+import {
+  BoxGeometry,
+  Color,
+  Group,
+  Matrix4,
+  Mesh,
+  Quaternion,
+  Vector3,
+  type BufferGeometry,
+  type InstancedMesh,
+} from 'three';
 import type { MachineInterval } from '../run/machines';
 import type { Run } from '../run/run';
 import type { Theme } from '../ui/theme';
