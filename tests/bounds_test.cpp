@@ -155,6 +155,19 @@ TEST(LowerBounds, GrowWithTheOrder) {
   }
 }
 
+TEST(LowerBounds, HoldForAnOrderBeyondWhatIsCounted) {
+  // Nothing is counted beyond 127; 130 is no multiple of what the trolley holds.
+  const Line& line = shipped_line("scenarios/teaching/one_human_one_robot.yaml");
+  RunOptions options;
+  options.order = 130;
+  options.horizon = 100'000;
+  const RunSetup setup = sample_setup(line.scenario.line, options, 1);
+  const auto makespan = makespan_of(*line.simulator, setup, {.first = true}, 1);
+  ASSERT_TRUE(makespan);
+  for (const Bound& bound : lower_bounds(line.scenario.line, setup, {.most_states = 20}))
+    EXPECT_LE(bound.ticks, *makespan) << bound.name;
+}
+
 TEST(LowerBounds, OfALineOfOnePersonAreTheBestPossible) {
   // Fetch, press, store, one after the other: nothing can be done at the same time.
   const Line& line = shipped_line("scenarios/teaching/one_human_one_robot.yaml");

@@ -31,8 +31,8 @@ TaskId nth(const TaskSet& tasks, std::size_t n) {
 
 }  // namespace
 
-LocalSearch::LocalSearch(FuturePlayer& player, Planner& base, LocalSearchOptions options)
-    : player_(player), base_(base), options_(options) {}
+LocalSearch::LocalSearch(FuturePlayer& player, Planner& base, bool free_agents)
+    : player_(player), base_(base), free_agents_(free_agents) {}
 
 void LocalSearch::begin(const Future& from, const Choices* first) {
   first_ = first;
@@ -59,7 +59,7 @@ bool LocalSearch::step(RandomStream& random) {
     if (++tried == 2 * count) return false;
     position = tried < count ? random.below(count) : (position + 1) % count;
   }
-  const double up = -options_.temperature * std::log(1.0 - random.uniform());
+  const double up = -temperature_ * std::log(1.0 - random.uniform());
   const Cost bound = current_.cost + static_cast<Cost>(up);
   if (player_.is_random()) {
     // Its cost is known for all random numbers only from the start.
@@ -89,7 +89,7 @@ void LocalSearch::accept(std::size_t position) {
 bool LocalSearch::change(std::size_t position, RandomStream& random) {
   const double draw = random.uniform();
   const Wish& wish = current_.decisions[position];
-  if (options_.free_agents && draw < kAgentShare) return change_agent(position, random);
+  if (free_agents_ && draw < kAgentShare) return change_agent(position, random);
   if (player_.may_wait() && draw > 1.0 - kWaitShare) {
     if (!wish.insist) return insist_on_later(position, random);
     copy_rest(position);

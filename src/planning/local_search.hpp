@@ -10,21 +10,14 @@
 
 namespace linewright::planning {
 
-/// What a search may change, and how it goes about it.
-struct LocalSearchOptions {
-  bool free_agents = false;  ///< choose who does a task, not only the task
-  /// A future that is worse by up to about this many ticks may be gone on from; 0: never. Measured
-  /// on the duct line: 1 gets stuck (779 ticks after any number of futures), 12 to 25 do not (769).
-  double temperature = 15.0;
-};
-
 /// Improves a future by changing one decision at a time: another task at one decision, somebody
 /// else who does it, or waiting for a later one. What follows stays in its order as far as it is
 /// possible. One per thread.
 class LocalSearch {
  public:
   /// Both must outlive it. `base` decides where a future goes on longer than the one it came from.
-  LocalSearch(FuturePlayer& player, Planner& base, LocalSearchOptions options);
+  /// `free_agents`: who does a task is changed, too.
+  LocalSearch(FuturePlayer& player, Planner& base, bool free_agents);
 
   /// Starts from this future. `first` (null: everything) limits its first decision, and must live
   /// until the last step.
@@ -33,7 +26,8 @@ class LocalSearch {
   /// Plays one future that differs from the one it stands at. False: there was nothing to change.
   bool step(RandomStream& random);
 
-  void set_temperature(double ticks) { options_.temperature = ticks; }
+  /// A future that is worse by up to about this many ticks may be gone on from; 0: never.
+  void set_temperature(double ticks) { temperature_ = ticks; }
 
   /// The best one since `begin`.
   [[nodiscard]] const Future& best() const { return best_; }
@@ -52,7 +46,8 @@ class LocalSearch {
 
   FuturePlayer& player_;
   Planner& base_;
-  LocalSearchOptions options_;
+  bool free_agents_;
+  double temperature_ = 0.0;
   const Choices* first_ = nullptr;
   Future current_;
   Future candidate_;

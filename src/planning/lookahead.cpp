@@ -12,6 +12,7 @@
 namespace linewright {
 namespace {
 
+using planning::Cooling;
 using planning::Cost;
 using planning::Future;
 using planning::FuturePlayer;
@@ -19,6 +20,10 @@ using planning::kChainsOfRollouts;
 using planning::kWorst;
 using planning::SearchChain;
 using planning::Wish;
+
+// Of each decision's search. Measured on the duct line, free choice of agents and waiting, 2,000
+// futures per decision: from 40 ticks to 1 is 751 ticks, 15 all the time 753.
+constexpr Cooling kDecision{.hot = 40.0, .cold = 1.0};
 
 class LookaheadPlanner final : public Planner {
  public:
@@ -84,6 +89,7 @@ class LookaheadPlanner final : public Planner {
 
   void improve(const Choices& choices) {
     const std::size_t left = options_.rollouts > used_ ? options_.rollouts - used_ : 0;
+    const std::int64_t begun = deadline_ != 0 ? context_.now_ns() : 0;
     pool_.run(chains_.size(), [&](std::size_t begin, std::size_t end, std::size_t /*thread*/) {
       for (std::size_t c = begin; c < end; ++c) {
         chains_[c]->random =
@@ -92,14 +98,19 @@ class LookaheadPlanner final : public Planner {
       }
       if (options_.rollouts > 0) {
         for (std::size_t c = begin; c < end; ++c) {
-          spend(*chains_[c], left / chains_.size() + (c < left % chains_.size() ? 1 : 0));
+          spend_all(*chains_[c], left / chains_.size() + (c < left % chains_.size() ? 1 : 0));
         }
         return;
       }
       // In turn, so that each gets as much of the time.
       while (!out_of_time()) {
+        const double temperature = kDecision.at(static_cast<double>(context_.now_ns() - begun) /
+                                                static_cast<double>(deadline_ - begun));
         bool any = false;
-        for (std::size_t c = begin; c < end; ++c) any |= spend(*chains_[c], 4);
+        for (std::size_t c = begin; c < end; ++c) {
+          chains_[c]->search.set_temperature(temperature);
+          any |= spend(*chains_[c], 4);
+        }
         if (!any) return;
       }
     });
@@ -109,6 +120,14 @@ class LookaheadPlanner final : public Planner {
       if (chain->search.best().cost >= least) continue;
       least = chain->search.best().cost;
       plan_ = chain->search.best().decisions;
+    }
+  }
+
+  void spend_all(SearchChain& chain, std::size_t rollouts) const {
+    for (std::size_t r = 0; r < rollouts; ++r) {
+      chain.search.set_temperature(
+          kDecision.at(static_cast<double>(r) / static_cast<double>(rollouts)));
+      if (!spend(chain, 1)) return;
     }
   }
 

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <functional>
 #include <memory>
 #include <string>
@@ -17,6 +19,17 @@ namespace linewright::planning {
 /// must not depend on the machine's cores.
 inline constexpr std::size_t kChainsOfRollouts = 4;
 
+/// Simulated annealing: while a share (0 to 1) of a search passes, the temperature falls from hot
+/// to cold, in ticks, by equal factors.
+struct Cooling {
+  double hot = 0.0;
+  double cold = 1.0;
+
+  [[nodiscard]] double at(double share) const {
+    return hot * std::pow(cold / hot, std::clamp(share, 0.0, 1.0));
+  }
+};
+
 /// One search, and what it needs of its own so that it can run beside others.
 struct SearchChain {
   struct Options {
@@ -31,7 +44,7 @@ struct SearchChain {
         player(
             simulator,
             {.allocator = context.allocator, .wait = options.wait, .give_up = std::move(give_up)}),
-        search(player, *base, {.free_agents = options.free_agents}),
+        search(player, *base, options.free_agents),
         random(0) {}
 
   std::unique_ptr<Planner> base;

@@ -1,7 +1,6 @@
 #include "linewright/planning/solve.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <memory>
 #include <utility>
 
@@ -14,6 +13,7 @@
 namespace linewright {
 namespace {
 
+using planning::Cooling;
 using planning::Cost;
 using planning::Future;
 using planning::FuturePlayer;
@@ -26,9 +26,7 @@ using planning::Wish;
 // Rounds of annealing: each is longer than the one before, so that short budgets end cold as well.
 constexpr std::size_t kFirstRound = 1'000;
 constexpr std::size_t kLongestRound = 64'000;
-// Ticks; a round begins hot and ends cold.
-constexpr double kHot = 25.0;
-constexpr double kCold = 1.0;
+constexpr Cooling kRound{.hot = 25.0, .cold = 1.0};
 
 /// A chain that goes on in rounds.
 struct Chain : SearchChain {
@@ -148,11 +146,10 @@ class Solver {
 
   bool anneal_one(Chain& chain, std::size_t steps) const {
     chain.search.begin(chain.home, nullptr);
-    const double cooling = std::pow(kCold / kHot, 1.0 / static_cast<double>(steps));
-    double temperature = kHot;
     std::size_t moved = 0;
-    for (; moved < steps && !out_of_time(); ++moved, temperature *= cooling) {
-      chain.search.set_temperature(temperature);
+    for (; moved < steps && !out_of_time(); ++moved) {
+      chain.search.set_temperature(
+          kRound.at(static_cast<double>(moved) / static_cast<double>(steps)));
       if (!chain.search.step(chain.random)) break;
     }
     chain.played += moved;
