@@ -77,6 +77,20 @@ class Times {
   std::vector<Tick> ticks_;
 };
 
+/// Which times of an event have to be looked at again when one of another has grown.
+struct Reader {
+  int event = 0;
+  bool whole = false;  ///< all of them: it counts the other
+  /// x(n) reads the column c where first(c) <= n <= last(c): an arc, or a batch.
+  int times = 1;
+  int plus = 0;
+  int divide = 1;
+  int most = 0;  ///< above 0: a batch of at most so many
+
+  [[nodiscard]] int first(int column) const;
+  [[nodiscard]] int last(int column) const;
+};
+
 /// Events and what each of them has to wait for: a timed event graph with choices, in which nobody
 /// competes for anything. Every rule holds in every run, so the least times that satisfy all of
 /// them are lower bounds of those of every run.
@@ -98,12 +112,8 @@ class EventNet {
   [[nodiscard]] Times solve(const Times& without, const std::vector<Fix>& fixes) const;
 
  private:
-  void settle(Times& times, std::vector<int> open) const;
-  bool refresh(Times& times, int event) const;
-  bool refresh_count(Times& times, int event) const;
-
   std::vector<Event> events_;
-  std::vector<std::vector<int>> readers_;
+  std::vector<std::vector<Reader>> readers_;
 };
 
 }  // namespace linewright::bounds

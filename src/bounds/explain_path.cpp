@@ -82,8 +82,10 @@ std::string path_text(const LineNet& net, const Times& times) {
   }
   std::reverse(told.begin(), told.end());
   constexpr std::size_t kMost = 60;
-  if (told.size() > kMost)
+  if (told.size() > kMost) {
     told.erase(told.begin() + kMost / 2, told.end() - static_cast<std::ptrdiff_t>(kMost / 2));
+    told.insert(told.begin() + kMost / 2, "...");
+  }
   return fmt::format("{}", fmt::join(told, ", "));
 }
 

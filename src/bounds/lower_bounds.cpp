@@ -87,7 +87,7 @@ class Report {
   void add_workload(WorkerKindId kind) {
     const auto problem = bounds::worker_problem(net_, kind);
     if (!problem || cancelled()) return;
-    const bounds::Workload work = bounds::workload_of(net_, cases_[0].times, *problem);
+    const bounds::Workload work = bounds::workload_of(net_, cases_[0].times, *problem, cancel_);
     const auto workers = static_cast<Tick>(setup_.worker_start[kind.index()].size());
     const Tick ticks = (work.ticks + workers - 1) / workers - work.rest;
     const std::string& name = line_.worker_kinds[kind.index()].name;

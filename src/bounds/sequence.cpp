@@ -48,7 +48,7 @@ class Search {
   Search(const LineNet& net, const Times& times, const SequenceProblem& problem,
          std::size_t most_states, const CancelToken* cancel)
       : problem_(problem),
-        lags_(net, times, problem),
+        lags_(net, times, problem, cancel),
         work_(net, problem, lags_),
         most_states_(most_states),
         cancel_(cancel) {}
@@ -308,8 +308,9 @@ SequenceResult best_sequence(const LineNet& net, const Times& times, const Seque
   return Search(net, times, problem, most_states, cancel).run(enough);
 }
 
-Workload workload_of(const LineNet& net, const Times& times, const SequenceProblem& problem) {
-  const Lags lags(net, times, problem);
+Workload workload_of(const LineNet& net, const Times& times, const SequenceProblem& problem,
+                     const CancelToken* cancel) {
+  const Lags lags(net, times, problem, cancel);
   return Work(net, problem, lags).all();
 }
 

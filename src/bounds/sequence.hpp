@@ -76,7 +76,7 @@ struct Workload {
   Tick rest = 0;  ///< at most so much of one worker's share can lie after the end of the run
 };
 [[nodiscard]] Workload workload_of(const LineNet& net, const Times& times,
-                                   const SequenceProblem& problem);
+                                   const SequenceProblem& problem, const CancelToken* cancel);
 
 /// The jobs of one worker of a kind, that of the first start; none where they are not one after the
 /// other.

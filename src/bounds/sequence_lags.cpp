@@ -10,10 +10,12 @@ constexpr Tick kLate = kMaxTicks;
 
 }  // namespace
 
-Lags::Lags(const LineNet& net, const Times& times, const SequenceProblem& problem)
+Lags::Lags(const LineNet& net, const Times& times, const SequenceProblem& problem,
+           const CancelToken* cancel)
     : net_(net),
       times_(times),
       problem_(problem),
+      cancel_(cancel),
       columns_(net.columns),
       entries_(problem.jobs.size() * 3 * static_cast<std::size_t>(net.columns) + 1) {
   ask_forks();
@@ -68,6 +70,7 @@ void Lags::ask_delays() {
     auto& rows = rows_.emplace_back();
     for (int n = 1; n <= columns_; ++n) {
       auto& lags = rows.emplace_back();
+      if (cancelled()) continue;
       fill(row, net_.net.solve(times_, {{.event = job.unit, .first = n, .tick = kLate}}));
       for (std::size_t e = 0; e < entries_; ++e) {
         if (row[e] >= kLate && row[e] < kNever)
@@ -82,7 +85,7 @@ void Lags::ask_needs() {
     std::vector<std::vector<int>> needs(problem_.jobs.size(),
                                         std::vector<int>(static_cast<std::size_t>(columns_), 0));
     int end_needs = 0;
-    for (int n = 1; n <= columns_; ++n) {
+    for (int n = 1; n <= columns_ && !cancelled(); ++n) {
       const Times without =
           net_.net.solve(times_, {{.event = needed.unit, .first = n, .tick = kNever}});
       if (net_.end_of(without) >= kNever) end_needs = n;
@@ -127,7 +130,7 @@ void Lags::ask_forks() {
 
 void Lags::ask_uses(int event, std::vector<std::vector<Fork::Use>>& uses) const {
   uses.assign(problem_.jobs.size(), std::vector<Fork::Use>(static_cast<std::size_t>(columns_)));
-  for (int n = 1; n <= columns_; ++n) {
+  for (int n = 1; n <= columns_ && !cancelled(); ++n) {
     const Times without = net_.net.solve(times_, {{.event = event, .first = n, .tick = kNever}});
     const Times late = net_.net.solve(times_, {{.event = event, .first = n, .tick = kLate}});
     for (std::size_t j = 0; j < problem_.jobs.size(); ++j) {

@@ -11,7 +11,9 @@ namespace linewright::bounds {
 /// without it.
 class Lags {
  public:
-  Lags(const LineNet& net, const Times& times, const SequenceProblem& problem);
+  /// Cancelled, it knows less: what follows from it are bounds still.
+  Lags(const LineNet& net, const Times& times, const SequenceProblem& problem,
+       const CancelToken* cancel);
 
   /// The events that are followed: start, anchor and end of each job, and the end of the run. Their
   /// numbers 1 ... columns() are the entries of a row.
@@ -59,6 +61,7 @@ class Lags {
   [[nodiscard]] bool can_end(const std::vector<std::int16_t>& units) const;
 
  private:
+  [[nodiscard]] bool cancelled() const { return cancel_ != nullptr && cancel_->requested(); }
   void fill(std::vector<Tick>& row, const Times& times) const;
   void ask_delays();
   void number_kept();
@@ -69,6 +72,7 @@ class Lags {
   const LineNet& net_;
   const Times& times_;
   const SequenceProblem& problem_;
+  const CancelToken* cancel_;
   int columns_;
   std::size_t entries_;
   std::vector<Tick> base_;

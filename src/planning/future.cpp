@@ -31,7 +31,7 @@ FuturePlayer::Step FuturePlayer::take(Wish wish, Future& result) {
     assignment = allocator_->allocate(state_, wish.task);
     wish.named = false;
   }
-  wish.insist = wish.insist && waited_;
+  wish.insist = waited_;
   wish.members = assignment.members;
   result.decisions.push_back(wish);
   simulator_.assign(state_, assignment);

@@ -21,15 +21,21 @@ using planning::kWorst;
 using planning::SearchChain;
 using planning::Wish;
 
-// Of each decision's search. Measured on the duct line, free choice of agents and waiting, 2,000
-// futures per decision: from 40 ticks to 1 is 751 ticks, 15 all the time 753.
-constexpr Cooling kDecision{.hot = 40.0, .cold = 1.0};
+// Of each decision's search, measured on the duct line. Tasks only: from 40 ticks to 15 is best
+// after 60 and 400 futures per decision (1 at the end: 0.8 and 0.3 ticks worse). With agents and
+// waiting there is more to choose from, and a cold end is better (15: 3 ticks worse after 400).
+constexpr Cooling kTasks{.hot = 40.0, .cold = 15.0};
+constexpr Cooling kTasksAndMore{.hot = 40.0, .cold = 1.0};
 
 class LookaheadPlanner final : public Planner {
  public:
   LookaheadPlanner(const Simulator& simulator, const LookaheadOptions& options,
                    const PlannerContext& context)
-      : options_(options), context_(context), pool_(options.threads) {
+      : options_(options),
+        context_(context),
+        cooling_(options.free_agents || options.wait || simulator.line().allow_wait ? kTasksAndMore
+                                                                                    : kTasks),
+        pool_(options.threads) {
     for (std::size_t c = 0; c < options.chains; ++c) {
       chains_.push_back(std::make_unique<SearchChain>(
           simulator, SearchChain::Options{options.base, options.free_agents, options.wait}, context,
@@ -104,8 +110,8 @@ class LookaheadPlanner final : public Planner {
       }
       // In turn, so that each gets as much of the time.
       while (!out_of_time()) {
-        const double temperature = kDecision.at(static_cast<double>(context_.now_ns() - begun) /
-                                                static_cast<double>(deadline_ - begun));
+        const double temperature = cooling_.at(static_cast<double>(context_.now_ns() - begun) /
+                                               static_cast<double>(deadline_ - begun));
         bool any = false;
         for (std::size_t c = begin; c < end; ++c) {
           chains_[c]->search.set_temperature(temperature);
@@ -126,7 +132,7 @@ class LookaheadPlanner final : public Planner {
   void spend_all(SearchChain& chain, std::size_t rollouts) const {
     for (std::size_t r = 0; r < rollouts; ++r) {
       chain.search.set_temperature(
-          kDecision.at(static_cast<double>(r) / static_cast<double>(rollouts)));
+          cooling_.at(static_cast<double>(r) / static_cast<double>(rollouts)));
       if (!spend(chain, 1)) return;
     }
   }
@@ -161,6 +167,7 @@ class LookaheadPlanner final : public Planner {
 
   LookaheadOptions options_;
   PlannerContext context_;
+  Cooling cooling_;
   WorkerPool pool_;
   std::vector<std::unique_ptr<SearchChain>> chains_;
   std::vector<std::unique_ptr<Planner>> seeds_;

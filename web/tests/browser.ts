@@ -7,6 +7,7 @@ import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { fileURLToPath, pathToFileURL } from 'node:url';
 import { chromium, type Browser, type BrowserContextOptions, type Page } from 'playwright-core';
+import type { FrameRate } from '../src/ui/meter';
 import type { AppState } from '../src/ui/state';
 
 export const PAGE = fileURLToPath(new URL('../../build/web/linewright-view.html', import.meta.url));
@@ -15,7 +16,7 @@ export const PLACEHOLDER = '<script type="application/json" id="linewright-logs"
 interface PageApi {
   state: () => AppState;
   seek: (time: number) => void;
-  meter: () => { frames: number; framesPerSecond: number; longestMs: number };
+  meter: () => FrameRate;
   shownAfterMs: () => number;
   pointOf: (run: number, name: string, t: number) => { x: number; y: number } | undefined;
 }

@@ -290,6 +290,7 @@ export class App {
 
   private frame(now: number): void {
     this.wished = false;
+    const begun = performance.now();
     const { clock } = this;
     const passed = this.lastFrame > 0 ? now - this.lastFrame : 0;
     if (clock.moving && passed > 0) {
@@ -304,7 +305,7 @@ export class App {
     this.transport.draw(this.live);
     this.panel.draw(this.shownRuns.runs, this.selection, clock.time, this.theme);
     if (this.panes.length > 0 && Number.isNaN(this.shownAfterMs)) this.shownAfterMs = performance.now();
-    this.meter.count(now, moving);
+    this.meter.count(now, performance.now() - begun, moving);
     if (moving) this.redraw();
   }
 }

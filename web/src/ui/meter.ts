@@ -1,24 +1,42 @@
+const FRAMES = 600;
+
+export interface FrameRate {
+  frames: number;
+  seconds: number;
+  framesPerSecond: number;
+  longestMs: number;
+  /** What the page itself does for a frame, without what the browser draws after it: the median. */
+  scriptMs: number;
+}
+
 /** Frames per second while the run plays, measured on the page. */
 export class FrameMeter {
   private times: number[] = [];
+  private scripts: number[] = [];
 
-  count(now: number, playing: boolean): void {
-    if (!playing) this.times = [];
+  /** A frame that began at `now` (ms) and took the page so long. */
+  count(now: number, scriptMs: number, playing: boolean): void {
+    if (!playing) this.reset();
     this.times.push(now);
-    if (this.times.length > 600) this.times.shift();
+    this.scripts.push(scriptMs);
+    if (this.times.length > FRAMES) this.times.shift();
+    if (this.scripts.length > FRAMES) this.scripts.shift();
   }
 
   reset(): void {
     this.times = [];
+    this.scripts = [];
   }
 
-  read(): { frames: number; seconds: number; framesPerSecond: number; longestMs: number } {
+  read(): FrameRate {
     const { times } = this;
     const frames = Math.max(0, times.length - 1);
     const seconds = frames > 0 ? (times[frames]! - times[0]!) / 1000 : 0;
     let longestMs = 0;
     for (let i = 1; i < times.length; ++i) longestMs = Math.max(longestMs, times[i]! - times[i - 1]!);
-    return { frames, seconds, framesPerSecond: seconds > 0 ? frames / seconds : 0, longestMs };
+    const sorted = [...this.scripts].sort((a, b) => a - b);
+    const scriptMs = sorted[sorted.length >> 1] ?? 0;
+    return { frames, seconds, framesPerSecond: seconds > 0 ? frames / seconds : 0, longestMs, scriptMs };
   }
 }
 

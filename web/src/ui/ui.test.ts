@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import { loadRun } from '../../tests/support';
 import { Clock } from './clock';
-import { Fineness } from './meter';
+import { Fineness, FrameMeter } from './meter';
 import { niceStep } from './gantt_draw';
 import { ganttRows } from './gantt_rows';
 import { inkOn, THEMES } from './theme';
@@ -50,6 +50,17 @@ describe('the clock', () => {
     expect(it_.speed).toBe(64);
     it_.faster(-100);
     expect(it_.speed).toBe(1);
+  });
+});
+
+describe('the frame meter', () => {
+  it('says how fast the run plays, and what of it is the page', () => {
+    const meter = new FrameMeter();
+    meter.count(0, 99, false);
+    for (let frame = 1; frame <= 1000; ++frame) meter.count(frame * 20, frame % 10 === 0 ? 15 : 4, true);
+    expect(meter.read()).toMatchObject({ framesPerSecond: 50, longestMs: 20, scriptMs: 4 });
+    meter.count(1e6, 3, false);
+    expect(meter.read()).toMatchObject({ frames: 0, framesPerSecond: 0, scriptMs: 3 });
   });
 });
 
