@@ -93,6 +93,26 @@ TEST(Explain, SaysWhatTheShieldRulesOut) {
   EXPECT_EQ(run.state.status, RunStatus::kFinished);
 }
 
+TEST(Explain, SaysWhenTheRunEndsAsPlannedAndNoPlanIsEverWorseThanTheOneBefore) {
+  for (const std::vector<int>& crew : {std::vector{1, 3}, std::vector{2, 2}, std::vector{3, 2}}) {
+    const Explained run("lookahead:150r,agents=free,wait=true", crew);
+    ASSERT_EQ(run.state.status, RunStatus::kFinished);
+    Tick before = kMaxTicks;
+    for (const DecisionExplanation& decision : run.decisions) {
+      ASSERT_TRUE(decision.planned_end);
+      EXPECT_LE(*decision.planned_end, before) << decision.tick;
+      before = *decision.planned_end;
+    }
+    EXPECT_EQ(before, run.state.now);
+    const std::string text =
+        explanation_text(run.simulator.line(), run.log.setup, run.decisions[0]);
+    EXPECT_NE(text.find("as planned the run ends at "), std::string::npos) << text;
+    const std::string log = event_log_text(run.line.scenario, run.log, 1.0, run.decisions);
+    EXPECT_NE(log.find("\"planned_end\":" + std::to_string(before)), std::string::npos);
+  }
+  EXPECT_FALSE(Explained("first", {2, 2}).decisions.at(0).planned_end);
+}
+
 TEST(Explain, StandsInTheLogAndLeavesTheRestAsItWas) {
   const Explained run("first", {2, 1});
   const std::string plain = event_log_text(run.line.scenario, run.log, 1.0);

@@ -78,7 +78,11 @@ std::string explanation_text(const LineModel& line, const RunSetup& setup,
               ? fmt::format("{} by {}\n", line.tasks[explanation.assignment->task.index()].name,
                             crew_text(line, names, *explanation.assignment))
               : "waits\n";
-  text += "  could be chosen (* was):\n" + alternatives_text(line, explanation);
+  text += fmt::format("  could be chosen (* was){}:\n",
+                      explanation.planned_end ? ", with a simple rule going on from there" : "");
+  text += alternatives_text(line, explanation);
+  if (explanation.planned_end)
+    text += fmt::format("  as planned the run ends at {}\n", *explanation.planned_end);
   if (!explanation.members.empty()) text += "  who:\n";
   for (const auto& member : explanation.members) text += member_text(line, names, member);
   if (!explanation.unselectable.empty()) text += "  could not be chosen:\n";

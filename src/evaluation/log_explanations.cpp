@@ -37,6 +37,7 @@ Json explanation_json(const LineModel& line, const std::vector<std::string>& wor
   Json why{{"alternatives", alternatives(line, explanation)},
            {"not_selectable", Json::object()},
            {"candidates", Json::object()}};
+  if (explanation.planned_end) why["planned_end"] = *explanation.planned_end;
   for (const auto& task : explanation.unselectable) {
     why["not_selectable"][line.tasks[task.task.index()].name] = task.reason;
   }

@@ -7,15 +7,16 @@
 namespace linewright {
 namespace {
 
-/// The decision with who does it; no task: to wait.
-std::optional<Assignment> complete_decision(const SimulationState& state, const Choices& choices,
-                                            Planner& planner, Allocator& allocator) {
-  const Decision decision = planner.decide(state, choices);
-  if (!decision.task) return std::nullopt;
+/// The decision, with who does it where it is not to wait.
+Decision complete_decision(const SimulationState& state, const Choices& choices, Planner& planner,
+                           Allocator& allocator) {
+  Decision decision = planner.decide(state, choices);
+  if (!decision.task) return {.planned_end = decision.planned_end};
   if (!choices.tasks.contains(*decision.task)) {
     throw std::logic_error("the planner chose a task that it may not choose");
   }
-  return decision.assignment ? *decision.assignment : allocator.allocate(state, *decision.task);
+  if (!decision.assignment) decision.assignment = allocator.allocate(state, *decision.task);
+  return decision;
 }
 
 /// Adds the time between its beginning and its end.
@@ -62,7 +63,9 @@ GuardedDecision guarded_decision(const Simulator& simulator, const SimulationSta
   while (!choices.tasks.empty()) {
     {
       const Stopwatch watch(options, planner_ns);
-      decision.assignment = complete_decision(state, choices, planner, allocator);
+      const Decision made = complete_decision(state, choices, planner, allocator);
+      decision.assignment = made.assignment;
+      decision.planned_end = made.planned_end;
     }
     if (options.shield == nullptr || !decision.assignment) break;
     const Stopwatch watch(options, shield_ns);
@@ -77,6 +80,7 @@ GuardedDecision guarded_decision(const Simulator& simulator, const SimulationSta
     const Stopwatch watch(options, shield_ns);
     if (!waiting_is_safe(simulator, state, options)) {
       decision.assignment = unsure;
+      decision.planned_end.reset();
       decision.masked.erase(unsure->task);
     }
   }

@@ -71,6 +71,7 @@ DecisionExplanation explain_decision(const Simulator& simulator, const Simulatio
   DecisionExplanation explanation;
   explanation.tick = state.now + 1;
   explanation.assignment = decision.assignment;
+  explanation.planned_end = decision.planned_end;
   const LineModel& line = simulator.line();
   for (std::size_t t = 0; t < line.tasks.size(); ++t) {
     const TaskId task(t);

@@ -17,6 +17,7 @@ using planning::Cost;
 using planning::Future;
 using planning::FuturePlayer;
 using planning::kChainsOfRollouts;
+using planning::kUnfinished;
 using planning::kWorst;
 using planning::SearchChain;
 using planning::Wish;
@@ -58,6 +59,7 @@ class LookaheadPlanner final : public Planner {
     // Not the random numbers of the run itself: these are unknown.
     const std::uint64_t future = RandomStream::derive(seed_, "futures", decisions_).next();
     for (const auto& chain : chains_) chain->player.reseed(future);
+    plan_cost_ = kWorst;
     find_incumbent(state, choices);
     if (incumbent_.cost < kWorst) {
       improve(choices);
@@ -121,10 +123,10 @@ class LookaheadPlanner final : public Planner {
       }
     });
     plan_ = incumbent_.decisions;
-    Cost least = incumbent_.cost;
+    plan_cost_ = incumbent_.cost;
     for (const auto& chain : chains_) {
-      if (chain->search.best().cost >= least) continue;
-      least = chain->search.best().cost;
+      if (chain->search.best().cost >= plan_cost_) continue;
+      plan_cost_ = chain->search.best().cost;
       plan_ = chain->search.best().decisions;
     }
   }
@@ -151,6 +153,7 @@ class LookaheadPlanner final : public Planner {
     if (plan_.empty()) return chains_[0]->base->decide(state, choices);
     const Wish wish = plan_.front();
     Decision decision;
+    if (plan_cost_ < kUnfinished) decision.planned_end = static_cast<Tick>(plan_cost_);
     decision.task = wish.task;
     if (wish.named) {
       decision.assignment = Assignment(wish.task);
@@ -160,7 +163,7 @@ class LookaheadPlanner final : public Planner {
     const bool possible =
         choices.tasks.contains(wish.task) &&
         (!decision.assignment || simulator.can_assign(state, *decision.assignment));
-    if (!possible && wish.insist) return Decision::wait();
+    if (!possible && wish.insist) return {.planned_end = decision.planned_end};
     plan_.erase(plan_.begin());
     return possible ? decision : chains_[0]->base->decide(state, choices);
   }
@@ -175,7 +178,8 @@ class LookaheadPlanner final : public Planner {
   std::uint64_t decisions_ = 0;
   std::int64_t deadline_ = 0;  ///< 0: none
   std::vector<Wish> plan_;     ///< the best future known, from the decision to come
-  std::vector<Wish> wishes_;   ///< scratch
+  Cost plan_cost_ = kWorst;
+  std::vector<Wish> wishes_;  ///< scratch
   Future incumbent_;
   Future trial_;
   std::size_t used_ = 0;  ///< futures played for this decision so far

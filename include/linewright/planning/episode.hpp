@@ -16,6 +16,7 @@ namespace linewright {
 /// What happens next in a run.
 struct GuardedDecision {
   std::optional<Assignment> assignment;  ///< none: wait
+  std::optional<Tick> planned_end;       ///< Decision::planned_end
   TaskSet masked;                        ///< tasks that the planner wanted and must not do now
 };
 

@@ -38,6 +38,7 @@ struct DecisionExplanation {
 
   Tick tick = 0;
   std::optional<Assignment> assignment;  ///< none: waits
+  std::optional<Tick> planned_end;       ///< Decision::planned_end
   std::vector<Alternative> alternatives;
   std::vector<Unselectable> unselectable;
   std::vector<Member> members;

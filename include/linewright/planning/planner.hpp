@@ -38,6 +38,9 @@ struct Decision {
   /// Who does it, where the planner chooses that, too: complete and possible now. None: the
   /// allocator chooses.
   std::optional<Assignment> assignment;
+  /// The tick in which the run ends if all goes on as the planner has in mind; none: it has nothing
+  /// in mind, or not to the end.
+  std::optional<Tick> planned_end;
 
   [[nodiscard]] static Decision wait() { return {}; }
 };

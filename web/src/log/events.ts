@@ -6,6 +6,7 @@ export type PathPoint = [x: number, y: number, yaw: number, share: number];
 
 export interface Why {
   alternatives?: { task: string; ends?: Tick | null; ruled_out?: boolean }[];
+  planned_end?: Tick;
   not_selectable?: Record<string, string>;
   candidates?: Record<
     string,
@@ -171,13 +172,13 @@ function isCrew(value: unknown): boolean {
 
 function isWhy(value: unknown): boolean {
   if (!isObject(value)) return false;
-  const { alternatives = [], not_selectable = {}, candidates = {} } = value;
+  const { alternatives = [], planned_end = 0, not_selectable = {}, candidates = {} } = value;
   const tasks = Array.isArray(alternatives) && alternatives.every((a) => isObject(a) && typeof a.task === 'string');
   const reasons = isObject(not_selectable) && Object.values(not_selectable).every((r) => typeof r === 'string');
   const ways =
     isObject(candidates) &&
     Object.values(candidates).every((role) => isObject(role) && textOrNone(role.needed_at) && areFree(role.free));
-  return tasks && reasons && ways;
+  return tasks && Number.isFinite(planned_end) && reasons && ways;
 }
 
 const textOrNone = (value: unknown): boolean => value === undefined || typeof value === 'string';

@@ -85,6 +85,9 @@ describe('the account of a decision', () => {
     const human = account.candidates.find(({ role }) => role === 'human')!;
     expect(human.rows).toHaveLength(2);
     expect(human.rows.filter(({ chosen }) => chosen)).toHaveLength(1);
+    expect(account.plannedEnd).toBeUndefined();
+    const planned = { ...a.decisions[0]!, why: { planned_end: 700 } };
+    expect(describeDecision(a, planned).plannedEnd).toBe(700);
   });
 
   it('says so where it has none', () => {

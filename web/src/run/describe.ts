@@ -134,6 +134,7 @@ export interface DecisionAccount {
   title: string;
   crew: TaskAccount['crew'];
   explained: boolean;
+  plannedEnd: Tick | undefined;
   alternatives: { task: string; text: string; chosen: boolean; best: boolean }[];
   impossible: { task: string; reason: string }[];
   candidates: { role: string; neededAt: string; rows: { worker: string; text: string; chosen: boolean }[] }[];
@@ -149,6 +150,7 @@ export function describeDecision(run: Run, decision: DecisionEvent): DecisionAcc
     title: shown(decision.task),
     crew: crewOf(run, decision.n),
     explained: decision.why !== undefined,
+    plannedEnd: why.planned_end,
     alternatives: alternatives.map((a) => ({
       task: shown(String(a.task)),
       text: a.ruled_out ? 'ruled out: the order could not be finished' : endText(a.ends),

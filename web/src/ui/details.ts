@@ -91,6 +91,8 @@ export function decisionDetails(run: Run, decision: DecisionEvent, theme: Theme,
     parts.push(
       el('p', { class: 'hint' }, 'The ticks say when the run would end if the rule “first” went on from there.'),
     );
+    if (account.plannedEnd !== undefined)
+      parts.push(el('p', {}, `The planner had a plan for all that follows: the run ends at ${account.plannedEnd}.`));
   }
   for (const { role, neededAt, rows } of account.candidates) {
     parts.push(el('h4', {}, `Who could be ${shown(role)}: ${neededAt}`));
