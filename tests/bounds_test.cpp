@@ -156,7 +156,7 @@ TEST(LowerBounds, GrowWithTheOrder) {
 }
 
 TEST(LowerBounds, HoldForAnOrderBeyondWhatIsCounted) {
-  // Nothing is counted beyond 127; 130 is no multiple of what the trolley holds.
+  // Nothing is counted beyond 127.
   const Line& line = shipped_line("scenarios/teaching/one_human_one_robot.yaml");
   RunOptions options;
   options.order = 130;

@@ -75,12 +75,12 @@ GuardedDecision guarded_decision(const Simulator& simulator, const SimulationSta
     choices.tasks.erase(decision.assignment->task);
     decision.masked.insert(decision.assignment->task);
     decision.assignment.reset();
+    decision.planned_end.reset();
   }
   if (!decision.assignment && unsure && choices.tasks.empty()) {
     const Stopwatch watch(options, shield_ns);
     if (!waiting_is_safe(simulator, state, options)) {
       decision.assignment = unsure;
-      decision.planned_end.reset();
       decision.masked.erase(unsure->task);
     }
   }

@@ -22,9 +22,8 @@ using planning::kWorst;
 using planning::SearchChain;
 using planning::Wish;
 
-// Of each decision's search, measured on the duct line. Tasks only: from 40 ticks to 15 is best
-// after 60 and 400 futures per decision (1 at the end: 0.8 and 0.3 ticks worse). With agents and
-// waiting there is more to choose from, and a cold end is better (15: 3 ticks worse after 400).
+// Of each decision's search: what was best on the duct line after 60 and 400 futures per decision.
+// With agents and waiting there is more to choose from, and a cold end is better.
 constexpr Cooling kTasks{.hot = 40.0, .cold = 15.0};
 constexpr Cooling kTasksAndMore{.hot = 40.0, .cold = 1.0};
 
