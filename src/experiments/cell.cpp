@@ -41,6 +41,7 @@ CellResult::Crew crew_of(const std::string& name, const std::vector<TrialResult>
     crew.finished.push_back(trial.status == RunStatus::kFinished ? 1 : 0);
     crew.progress.push_back(trial.progress);
     crew.distance_m.push_back(static_cast<double>(trial.distance_mm) / 1000.0);
+    crew.decisions.push_back(trial.decisions);
   }
   return crew;
 }

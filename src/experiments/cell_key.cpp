@@ -88,9 +88,9 @@ std::string key_of(const ExperimentCell& cell, const Scenario& scenario) {
   const std::string who = cell.bound.empty() ? identity_of(cell.planner, scenario.file)
                                              : fmt::format("bound {}", cell.bound);
   const std::string text =
-      fmt::format("{:016x}|{}|{}|{}|{}|{}|{}|{}|{:016x}", scenario.content_hash, who,
-                  cell.allocator, cell.order, cell.horizon.value_or(0), cell.trials, cell.seed,
-                  cell.shield, hash_of(behaviour_of(cell, scenario)));
+      fmt::format("{}|{:016x}|{}|{}|{}|{}|{}|{}|{}|{:016x}", experiments::kCellFormat,
+                  scenario.content_hash, who, cell.allocator, cell.order, cell.horizon.value_or(0),
+                  cell.trials, cell.seed, cell.shield, hash_of(behaviour_of(cell, scenario)));
   return fmt::format("{:016x}", hash_of(text));
 }
 

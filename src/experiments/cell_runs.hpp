@@ -12,6 +12,9 @@
 // The runs of a cell.
 namespace linewright::experiments {
 
+/// Of the files of a CellStore. Part of a cell's key, so that files of an older one are not read.
+inline constexpr const char* kCellFormat = "linewright/cell/3";
+
 /// Every crew of the scenario, with the cell's order and horizon.
 [[nodiscard]] std::vector<RunOptions> crews_of(const ExperimentCell& cell,
                                                const Scenario& scenario);

@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
+#include "cell_runs.hpp"
 #include "linewright/base/diagnostic.hpp"
 #include "linewright/base/files.hpp"
 #include "linewright/experiments/cell.hpp"
@@ -12,11 +13,10 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr const char* kFormat = "linewright/cell/2";
 constexpr std::size_t kMostBytes = std::size_t{1} << 28U;
 
 Json to_json(const std::string& key, const ExperimentCell& cell, const CellResult& result) {
-  Json object{{"format", kFormat},
+  Json object{{"format", experiments::kCellFormat},
               {"key", key},
               {"planner", cell.planner},
               {"bound", cell.bound},
@@ -33,7 +33,8 @@ Json to_json(const std::string& key, const ExperimentCell& cell, const CellResul
                                {"makespan", crew.makespan},
                                {"finished", crew.finished},
                                {"progress", crew.progress},
-                               {"distance_m", crew.distance_m}});
+                               {"distance_m", crew.distance_m},
+                               {"decisions", crew.decisions}});
   }
   return object;
 }
@@ -47,10 +48,11 @@ CellResult from_json(const Json& object) {
     entry.at("finished").get_to(crew.finished);
     entry.at("progress").get_to(crew.progress);
     entry.at("distance_m").get_to(crew.distance_m);
+    entry.at("decisions").get_to(crew.decisions);
     const std::size_t runs = crew.makespan.size();
     const std::size_t others = is_bound ? 0 : runs;
     if (runs == 0 || crew.finished.size() != others || crew.progress.size() != others ||
-        crew.distance_m.size() != others) {
+        crew.distance_m.size() != others || crew.decisions.size() != others) {
       throw std::runtime_error("lists of different lengths");
     }
     result.crews.push_back(std::move(crew));
@@ -73,7 +75,7 @@ std::optional<CellResult> CellStore::find(const std::string& key) const {
   if (!text) throw ScenarioError(file, "cannot be read: " + reason, "");
   try {
     const Json object = Json::parse(*text);
-    if (object.at("format") != kFormat || object.at("key") != key) {
+    if (object.at("format") != experiments::kCellFormat || object.at("key") != key) {
       throw std::runtime_error("another format or key");
     }
     return from_json(object);

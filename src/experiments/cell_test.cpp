@@ -36,6 +36,7 @@ TEST(Cell, PlaysWhatRunTrialsPlays) {
     for (std::size_t i = 0; i < 4; ++i) {
       EXPECT_EQ(result->crews[c].makespan[i], trials[c][i].makespan);
       EXPECT_EQ(result->crews[c].progress[i], trials[c][i].progress);
+      EXPECT_EQ(result->crews[c].decisions[i], trials[c][i].decisions);
     }
   }
 }
@@ -114,6 +115,7 @@ TEST_F(Store, KeepsAResult) {
     EXPECT_EQ(again.crews[c].finished, result.crews[c].finished);
     EXPECT_EQ(again.crews[c].progress, result.crews[c].progress);
     EXPECT_EQ(again.crews[c].distance_m, result.crews[c].distance_m);
+    EXPECT_EQ(again.crews[c].decisions, result.crews[c].decisions);
   }
 }
 
@@ -130,10 +132,10 @@ TEST_F(Store, RefusesWhatIsNoResult) {
   const std::string file = folder_ + "/0123456789abcdef.json";
   for (
       const char* text :
-      {"", "{}", "[1]", R"({"format":"linewright/cell/2","key":"x"})",
-       R"({"format":"linewright/cell/2","key":"0123456789abcdef","wall_s":1,"bound":"","crews":[]})",
-       R"({"format":"linewright/cell/2","key":"0123456789abcdef","wall_s":1,"bound":"","crews":[{"crew":"A",)"
-       R"("makespan":[1],"finished":[],"progress":[1],"distance_m":[1]}]})"}) {
+      {"", "{}", "[1]", R"({"format":"linewright/cell/3","key":"x"})",
+       R"({"format":"linewright/cell/3","key":"0123456789abcdef","wall_s":1,"bound":"","crews":[]})",
+       R"({"format":"linewright/cell/3","key":"0123456789abcdef","wall_s":1,"bound":"","crews":[{"crew":"A",)"
+       R"("makespan":[1],"finished":[],"progress":[1],"distance_m":[1],"decisions":[1]}]})"}) {
     write_file(file, text);
     EXPECT_THROW(static_cast<void>(store_.find("0123456789abcdef")), ScenarioError) << text;
   }

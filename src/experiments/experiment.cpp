@@ -182,8 +182,8 @@ void check_rows(const SourceNode& root, const Experiment& experiment, Problems& 
 }  // namespace
 
 const std::vector<std::string>& metric_names() {
-  static const std::vector<std::string> kNames{"makespan", "success_rate", "progress", "distance",
-                                               "training"};
+  static const std::vector<std::string> kNames{"makespan", "success_rate", "progress",
+                                               "distance", "decisions",    "training"};
   return kNames;
 }
 

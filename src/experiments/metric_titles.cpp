@@ -12,6 +12,8 @@ const char* title_of(Metric metric) {
       return "Mean progress (share of the order that is finished)";
     case Metric::kDistance:
       return "Distance, metres, all workers together";
+    case Metric::kDecisions:
+      return "Decisions (tasks that were started)";
     case Metric::kTraining:
       return "Training";
   }
@@ -28,6 +30,8 @@ const char* short_title_of(Metric metric) {
       return "Mean progress";
     case Metric::kDistance:
       return "Distance, m";
+    case Metric::kDecisions:
+      return "Decisions";
     case Metric::kTraining:
       return "Training";
   }
@@ -44,6 +48,8 @@ const char* word_of(Metric metric) {
       return "progress";
     case Metric::kDistance:
       return "distance";
+    case Metric::kDecisions:
+      return "decisions";
     case Metric::kTraining:
       return "training";
   }

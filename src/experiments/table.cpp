@@ -17,6 +17,8 @@ double value_of(const CellResult::Crew& crew, std::size_t trial, Metric metric) 
       return crew.progress[trial];
     case Metric::kDistance:
       return crew.distance_m[trial];
+    case Metric::kDecisions:
+      return crew.decisions[trial];
     case Metric::kTraining:
       break;
   }

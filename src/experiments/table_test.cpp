@@ -11,8 +11,8 @@ namespace {
 /// Two crews with two runs each: their makespans.
 CellResult cell(std::vector<Tick> first, std::vector<Tick> second) {
   CellResult result;
-  result.crews = {{"H1R1", first, {1, 1}, {1, 1}, {10, 20}},
-                  {"H1R2", second, {1, 0}, {1, 0.5}, {30, 40}}};
+  result.crews = {{"H1R1", first, {1, 1}, {1, 1}, {10, 20}, {27, 29}},
+                  {"H1R2", second, {1, 0}, {1, 0.5}, {30, 40}, {31, 33}}};
   return result;
 }
 
@@ -49,6 +49,15 @@ TEST(ResultTable, HasMeansAndIntervalsOverSeedsOrStarts) {
   // Starts: (300 + 400) / 2 and (310 + 420) / 2.
   EXPECT_NEAR(*b.values[2].ci95, 12.706 * 10.6066 / 1.4142136, 1e-1);
   EXPECT_DOUBLE_EQ(*result.tables[1].rows[0].values[1].mean, 0.5);
+}
+
+TEST(ResultTable, MeasuresDistanceAndDecisions) {
+  Experiment experiment = two_rows();
+  experiment.metrics = {Metric::kDistance, Metric::kDecisions};
+  const ExperimentResult result = make_tables(experiment, results());
+  EXPECT_DOUBLE_EQ(*result.tables[0].rows[0].values[0].mean, 15.0);
+  EXPECT_DOUBLE_EQ(*result.tables[1].rows[0].values[0].mean, 28.0);
+  EXPECT_DOUBLE_EQ(*result.tables[1].rows[0].values[2].mean, 30.0);
 }
 
 TEST(ResultTable, PutsThePaperBeside) {

@@ -36,6 +36,7 @@ struct CellResult {
     std::vector<std::uint8_t> finished;  ///< 1: the order was finished
     std::vector<double> progress;        ///< share of the order that was finished, 0 to 1
     std::vector<double> distance_m;
+    std::vector<std::int32_t> decisions;
   };
   std::vector<Crew> crews;
   double wall_s = 0.0;  ///< seconds that the runs took

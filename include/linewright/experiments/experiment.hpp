@@ -16,11 +16,12 @@ enum class Metric : std::uint8_t {
   kSuccessRate,  ///< share of the runs that finished their order, 0 to 1
   kProgress,     ///< mean share of the order that was finished, 0 to 1
   kDistance,     ///< metres, all workers together
+  kDecisions,    ///< tasks that were started, waiting not counted
   kTraining,     ///< of the training runs; what and in which unit: training_columns()
 };
 
-/// "makespan", "success_rate", "progress", "distance", "training": as in experiment files and
-/// results.
+/// "makespan", "success_rate", "progress", "distance", "decisions", "training": as in experiment
+/// files and results.
 [[nodiscard]] const std::vector<std::string>& metric_names();
 [[nodiscard]] const std::string& name_of(Metric metric);
 
