@@ -284,6 +284,14 @@ TEST(Cli, ReproduceTrainsWhatIsMissingAndNothingTwice) {
   EXPECT_NE(records.out.find("| 20 |"), std::string::npos) << records.out;  // updates
   EXPECT_EQ(std::filesystem::last_write_time(policy), written);
   EXPECT_TRUE(std::filesystem::exists(folder + "/out/figures/records_training_return.svg"));
+  // A run whose evaluations all had failures has no best policy: the last one is played.
+  std::filesystem::remove(policy);
+  const Output without_best = linewright(command);
+  ASSERT_EQ(without_best.code, 0) << without_best.err;
+  EXPECT_NE(without_best.err.find("mini-s2: no evaluation had every run succeed"),
+            std::string::npos)
+      << without_best.err;
+  EXPECT_FALSE(std::filesystem::exists(policy));
   std::filesystem::remove_all(folder);
 }
 

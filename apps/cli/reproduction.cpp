@@ -106,7 +106,13 @@ bool Reproduction::train() {
   }
   std::vector<TrainJob> all;
   for (const auto& [folder, job] : jobs) all.push_back(job);
-  return run_train_jobs(all, std::max(1U, std::thread::hardware_concurrency()));
+  if (!run_train_jobs(all, std::max(1U, std::thread::hardware_concurrency()))) return false;
+  for (const TrainJob& job : all) {
+    if (job.has_best()) continue;
+    fmt::print(stderr, "{}: no evaluation had every run succeed; its last policy is played\n",
+               job.folder());
+  }
+  return true;
 }
 
 std::vector<std::vector<TrainingRecord>> Reproduction::records_of(

@@ -169,9 +169,13 @@ std::string TrainJob::name() const { return fs::path(algorithm).stem().string();
 
 std::string TrainJob::folder() const { return fmt::format("{}/{}-s{}", out, name(), seed); }
 
-bool TrainJob::is_done() const {
-  return fs::exists(folder() + "/final.safetensors") && fs::exists(policy());
+std::string TrainJob::policy() const {
+  return folder() + (has_best() ? "/best.safetensors" : "/final.safetensors");
 }
+
+bool TrainJob::has_best() const { return fs::exists(folder() + "/best.safetensors"); }
+
+bool TrainJob::is_done() const { return fs::exists(folder() + "/final.safetensors"); }
 
 bool run_train_jobs(const std::vector<TrainJob>& jobs, std::size_t cores) {
   return Jobs(jobs, cores).run();

@@ -18,8 +18,10 @@ struct TrainJob {
 
   [[nodiscard]] std::string name() const;  ///< of the algorithm, without folder and ending
   [[nodiscard]] std::string folder() const;
-  /// The policy that the run keeps, once it is done.
-  [[nodiscard]] std::string policy() const { return folder() + "/best.safetensors"; }
+  /// The policy that the run keeps, once it is done: the best one, or where no evaluation had every
+  /// run succeed the last one.
+  [[nodiscard]] std::string policy() const;
+  [[nodiscard]] bool has_best() const;
   [[nodiscard]] bool is_done() const;
 };
 
