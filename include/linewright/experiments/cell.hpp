@@ -31,12 +31,12 @@ struct ExperimentCell {
 /// start. Of a bound there are makespans only; the other lists are empty.
 struct CellResult {
   struct Crew {
-    std::string name;                    ///< "H2R1"
-    std::vector<Tick> makespan;          ///< of a failed run: its horizon
-    std::vector<std::uint8_t> finished;  ///< 1: the order was finished
-    std::vector<double> progress;        ///< share of the order that was finished, 0 to 1
-    std::vector<double> distance_m;
-    std::vector<std::int32_t> decisions;
+    std::string name;                     ///< "H2R1"
+    std::vector<Tick> makespan;           ///< of a failed run: its horizon
+    std::vector<std::uint8_t> finished;   ///< 1: the order was finished
+    std::vector<double> progress;         ///< share of the order that was finished, 0 to 1
+    std::vector<double> distance_m;       ///< of all workers together
+    std::vector<std::int32_t> decisions;  ///< tasks that were started, waiting not counted
   };
   std::vector<Crew> crews;
   double wall_s = 0.0;  ///< seconds that the runs took
